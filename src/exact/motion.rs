@@ -131,8 +131,7 @@ impl Motion {
         let time = TimeUnit::new(pendulum);
         let fits = libm::fabs(omega * time.unit) <= FASTEST;
         checked(VELOCITY, omega, fits, "at most 3e150 √(g/L) in size")?;
-        let backward = omega < 0.0;
-        let direction = if backward { -1.0 } else { 1.0 };
+        let direction = if omega < 0.0 { -1.0 } else { 1.0 };
         let (theta, omega) = (direction * theta, direction * omega);
 
         // A swing so small that it is linear is scaled up, solved, and the solution scaled down,

@@ -59,7 +59,7 @@ impl ScaledPendulum {
     /// steps: there and back the start would be rounded.
     pub fn new<M: Method<Self>>(pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<Self> {
         let step = grid.step();
-        // K and ω, and what is computed from them, stay far from the ends of the range of f64: the
+        // K and h, and what is computed from them, stay far from the ends of the range of f64: the
         // square of 1e-200 underflows, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
         let k = pendulum.frequency_squared() * step * step;
@@ -76,6 +76,7 @@ impl ScaledPendulum {
         let fits = grid.steps() > 0
             && moderate(k)
             && has_inverse
+            && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
             && start.theta.abs() < 1e6
             && farthest < 1e15;

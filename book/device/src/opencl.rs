@@ -146,11 +146,18 @@ impl<'d> Session<'d> {
             self.buffers.clear();
             let buffer = |&rows: &usize| {
                 let (flags, length) = (CL_MEM_READ_WRITE, rows * capacity);
-                // SAFETY: No memory of this side is handed over.
-                unsafe { Buffer::create(&self.context, flags, length, core::ptr::null_mut()) }
-                    .map_err(|error| device.refusal(error))
+                let (context, queue, null) = (&self.context, &self.queue, core::ptr::null_mut());
+                // NVIDIA's driver makes a buffer of any size, and allocates it when it is first
+                // written.
+                // SAFETY: No memory of this side is handed over, and the buffer has a first value.
+                unsafe {
+                    let mut buffer = Buffer::create(context, flags, length, null)?;
+                    queue.enqueue_write_buffer(&mut buffer, CL_TRUE, 0, &[0.0], &[])?;
+                    Ok(buffer)
+                }
             };
-            self.buffers = self.rows.iter().map(buffer).collect::<Result<_, _>>()?;
+            let buffers: Result<_, ClError> = self.rows.iter().map(buffer).collect();
+            self.buffers = buffers.map_err(|error| device.refusal(error))?;
             self.capacity = capacity;
         }
         Ok(capacity)
