@@ -42,6 +42,13 @@ pub enum Error {
         /// The number allowed.
         limit: u64,
     },
+    /// A function whose crossings are looked for is NaN, so that it has no sign.
+    UndefinedEvent {
+        /// Which of the functions, counted from 0.
+        index: usize,
+        /// The time at which it was looked at (s).
+        t: f64,
+    },
     /// A step of an implicit method whose equations have not been solved.
     NotSolved {
         /// The number of steps taken before it.
@@ -82,6 +89,11 @@ impl fmt::Display for Error {
                 f,
                 "{limit} steps have led no further than to {t:?} s: allow more of them, a larger \
                  tolerance or a shorter run"
+            ),
+            Self::UndefinedEvent { index, t } => write!(
+                f,
+                "at {t:?} s function {index} of an event is NaN: it must have a sign, also beyond \
+                 the event within a step"
             ),
             Self::NotSolved { n, step, sweeps, change } => write!(
                 f,

@@ -4,7 +4,8 @@
 //! [`Tolerance`]. It [integrates](Adaptive::integrate()) with an observer, or iterates [step by
 //! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it.
 //! From it come the [states at given times](AdaptiveSteps::states_at), and on it
-//! [crossings](AdaptiveSteps::crossings) are found: the period, or the passage over the top.
+//! [crossings](AdaptiveSteps::crossings) are found, the period or the passage over the top, and the
+//! [events](AdaptiveSteps::events) of several functions.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -33,7 +34,7 @@ mod symmetric;
 mod tolerance;
 
 pub use controlled::Controlled;
-pub use events::{Crossing, Crossings, Direction, StatesAt};
+pub use events::{Crossing, Crossings, Direction, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;
 pub(crate) use steps::Interpolant;
 pub use steps::{AdaptiveSteps, Counts, Dense, Step};

@@ -60,10 +60,22 @@ pub(super) type StepOf<S, M> = Step<<S as System>::State, <M as Controlled<S>>::
 /// Its dense output.
 pub(super) type DenseOf<S, M> = Dense<<S as System>::State, <M as Controlled<S>>::Dense>;
 
+/// How far the last step has been read for crossings and states.
+struct Reading<S: System<State: Components>, M: Controlled<S>> {
+    step: StepOf<S, M>,
+    /// Its dense output, once it was needed: it may cost evaluations of the force.
+    dense: Option<DenseOf<S, M>>,
+    /// The fraction of the step, and the time (s).
+    s: f64,
+    t: f64,
+}
+
 /// An iterator over the steps from one time to another.
 ///
 /// It ends after an error. It also holds what a step carries to the next: the slope at its end, or
-/// the series there.
+/// the series there. [Crossings](Self::crossings), [events](Self::events) and [states at given
+/// times](Self::states_at) can be read from it one after the other, each from where the one before
+/// ended, within a step too; the next step that is taken begins where the last one ended.
 pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     adaptive: Adaptive<M>,
     system: Counting<&'a S>,
@@ -74,6 +86,8 @@ pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     accepted: u64,
     rejected: u64,
     failed: bool,
+    /// None at the end of the last step.
+    reading: Option<Reading<S, M>>,
 }
 
 impl<'a, S, M> AdaptiveSteps<'a, S, M>
@@ -96,10 +110,11 @@ where
         let Adaptive { method, tolerance, .. } = &adaptive;
         let memory = method.begin(&system, tolerance, t, z, duration);
         let (accepted, rejected, failed) = (0, 0, false);
-        Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed })
+        let reading = None;
+        Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed, reading })
     }
 
-    /// The present time (s).
+    /// The time at which the last step ended (s), or the start.
     pub const fn time(&self) -> f64 {
         self.t
     }
@@ -109,7 +124,7 @@ where
         self.until
     }
 
-    /// The present state.
+    /// The state at which the last step ended, or the start.
     pub const fn state(&self) -> S::State {
         self.z
     }
@@ -128,6 +143,69 @@ where
         let mut dense = Dense::new(times.start, times.step, *z, coefficients);
         dense.end = times.end;
         dense
+    }
+
+    /// Begins to read the step that was last taken.
+    pub(super) fn read_from_start(&mut self, step: StepOf<S, M>) {
+        let t = step.start_time();
+        self.reading = Some(Reading { step, dense: None, s: 0.0, t });
+    }
+
+    /// Whether something is left to read of the last step.
+    pub(super) const fn is_within_step(&self) -> bool {
+        self.reading.is_some()
+    }
+
+    /// How far the walk has been read: the fraction of the last step, the time (s) and the state.
+    pub(super) fn reading_point(&mut self) -> (f64, f64, S::State) {
+        match &self.reading {
+            Some(Reading { s, t, .. }) => {
+                let (s, t) = (*s, *t);
+                (s, t, self.read_at(s).1)
+            }
+            None => (1.0, self.t, self.z),
+        }
+    }
+
+    /// The time (s) and the state at the fraction `s` of the last step.
+    pub(super) fn read_at(&mut self, s: f64) -> (f64, S::State) {
+        match self.dense_to_read() {
+            Some(dense) => (dense.time(s), dense.after(s)),
+            None => (self.t, self.z),
+        }
+    }
+
+    /// The same, from where the walk is read on.
+    pub(super) fn read_to(&mut self, s: f64) -> (f64, S::State) {
+        let (t, z) = self.read_at(s);
+        match &mut self.reading {
+            Some(reading) if s < 1.0 => (reading.s, reading.t) = (s, t),
+            _ => self.reading = None,
+        }
+        (t, z)
+    }
+
+    /// The state at the time `t` (s), which is not before the one up to which the walk was read nor
+    /// after the end of the last step; from there it is read on.
+    pub(super) fn read_to_time(&mut self, t: f64) -> S::State {
+        if t == self.t {
+            self.reading = None;
+        }
+        let Some(dense) = self.dense_to_read() else { return self.z };
+        let (s, z) = (dense.fraction(t), dense.at(t));
+        if let Some(reading) = &mut self.reading {
+            (reading.s, reading.t) = (s, t);
+        }
+        z
+    }
+
+    fn dense_to_read(&mut self) -> Option<&DenseOf<S, M>> {
+        let Reading { step, dense, .. } = self.reading.as_ref()?;
+        if dense.is_none() {
+            let dense = self.dense(step);
+            self.reading.as_mut()?.dense = Some(dense);
+        }
+        self.reading.as_ref()?.dense.as_ref()
     }
 
     fn advance(&mut self) -> Result<StepOf<S, M>, Error> {
@@ -169,6 +247,7 @@ where
         if self.failed || self.t == self.until {
             return None;
         }
+        self.reading = None;
         let step = self.advance();
         self.failed = step.is_err();
         Some(step)
@@ -226,7 +305,12 @@ impl<Z: State, C: Interpolant<Z::Displacement>> Dense<Z, C> {
 
     /// The state at time `t` (s). Outside the step it is an extrapolation.
     pub fn at(&self, t: f64) -> Z {
-        self.after((t - self.t) / self.h)
+        self.after(self.fraction(t))
+    }
+
+    /// The fraction of the step at the time `t` (s).
+    fn fraction(&self, t: f64) -> f64 {
+        (t - self.t) / self.h
     }
 
     /// The time (s) at the fraction `s` of the step: its end at 1, and none later before.

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use pendula::adaptive::{
-    Adaptive, AdaptiveSteps, Controlled, Counts, Dense, Direction, SMALLEST_RELATIVE, TaylorSeries,
-    Tolerance,
+    Adaptive, AdaptiveSteps, Controlled, Counts, Dense, Direction, EventFunction,
+    SMALLEST_RELATIVE, TaylorSeries, Tolerance,
 };
 use pendula::internals::Controller;
 use pendula::methods::runge_kutta::Embedded;
@@ -36,6 +36,7 @@ macro_rules! each_controlled {
 
 mod between;
 mod ends;
+mod events;
 
 const START: Phase = Phase { theta: 2.0, omega: 0.3 };
 
