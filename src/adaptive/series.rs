@@ -13,9 +13,22 @@ use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 ///
 /// À. Jorba and M. Zou (*Experiment. Math.* 14 (2005) 99–117, doi:10.1080/10586458.2005.10128904)
 /// make the powers of the motion first, and read the step off them: it is as long as their size
-/// allows, and none is refused. Two neighbouring powers decide, each by ‖zₚ‖ hᵖ = 1 in tolerances,
-/// since one alone may be small by chance, as every second one is from rest. A system whose motion
-/// lacks two powers in a row, in all components, gets steps that are too long.
+/// allows, and none is refused. They let the last two powers decide. From rest these two are one
+/// number, the same power of the angle, and it vanishes at some amplitudes: a step was then off by
+/// as much as 10¹² tolerances. Here the last six decide, by two conditions:
+///
+/// * The power p − i, for i from 0 to 5, is at most eⁱ⁻² tolerances: ‖zₚ₋ᵢ‖ hᵖ⁻ⁱ ≤ eⁱ⁻². Of a
+///   series whose powers fall by e each, these are six times the same step.
+/// * They do fall: h is at most 0.7 of the radius of convergence that the ratios of the last two to
+///   the four before tell (at order p, 0.7 · 2^(−2/p): a branch point seems farther away than it
+///   is). Beside the top, where the motion grows, powers below a tolerance may increase, and what
+///   follows is larger than they are.
+///
+/// If all six vanish, the last power that does not decides as they would. In 3 million random steps
+/// of the pendulum and the linear oscillator, and from 4600 starts at which a power vanishes, the
+/// largest error of a step was 1.5 tolerances. It was above 1 at tolerances of 0.01 and more alone.
+/// A system of your own may do worse: at order p nothing is known of a motion whose second power is
+/// beyond the p-th.
 ///
 /// A step in which the power p is ε of the whole is h = ρ ε^(1/p) long. Jorba and Zou take p =
 /// −½ ln ε, so that h = ρ/e²: the best where the work of a step grows with p², the number of its
@@ -26,16 +39,26 @@ use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 ///
 /// Dense output is the series itself. A step is one expansion, counted as an evaluation of the
 /// force for each power; the unit of time in the first takes one more. Not symplectic, not
-/// symmetric. Near the separatrix, at the top, the two powers may be small together, and a step is
-/// off by up to four tolerances.
+/// symmetric.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TaylorSeries;
 
 /// The order is a multiple of this, and the polynomial is summed in as many independent parts.
 const BLOCK: usize = 4;
 
-/// The powers behind the two that decide.
+/// The powers behind the one that is allowed a tolerance.
 const SPARE: usize = 2;
+
+/// The last powers, which decide: so many that of a motion that is even or odd in time, as from
+/// rest or at the bottom, three are different numbers.
+const DECIDE: usize = 6;
+
+/// log₂ e: the powers of a step are expected to fall by e, one after the other.
+const FALL: f64 = core::f64::consts::LOG2_E;
+
+/// log₂ of the share of the radius of convergence that no step exceeds: 0.7, where a step of the
+/// expected size takes 1/e.
+const SHARE: f64 = -0.5;
 
 /// The largest order, for [the smallest tolerance](super::SMALLEST_RELATIVE).
 const MOST: usize = 36;
@@ -100,20 +123,54 @@ impl<D: Vector> Expansion<D> {
         to_order!(4 8 12 16 20 24 28 32 36);
     }
 
-    /// The longest step, in units, in which neither of the two powers that decide exceeds the
-    /// tolerance; none where they, or the last power, are not finite.
+    /// The longest step, in units, that the powers allow; none where they are not finite. It is
+    /// infinite where they vanish.
     #[inline]
     fn longest<Z>(&self, tolerance: &Tolerance, z: Z) -> Option<f64>
     where
         Z: Components<Displacement = D>,
     {
-        let square = |p: usize| tolerance.square_norm(z, z, self.terms[p - 1] * self.unit);
-        let last = self.order - SPARE;
-        let (one, other) = (square(last), square(last - 1));
-        let is_finite = one + other + square(self.order) < f64::INFINITY;
-        // (‖zₚ‖²)^(−1/2p)
-        let root = |square: f64, p: usize| log2(square) * (-0.5 / p as f64);
-        is_finite.then(|| exp2(root(one, last).min(root(other, last - 1))))
+        let order = self.order;
+        // ‖zₚ₋ᵢ‖² for a step of one unit.
+        let square = |i| tolerance.square_norm(z, z, self.terms[order - 1 - i] * self.unit);
+        let mut squares = [0.0; DECIDE];
+        for (i, size) in squares[..order.min(DECIDE)].iter_mut().enumerate() {
+            *size = square(i);
+        }
+        let sum = squares.iter().sum::<f64>();
+        if !(sum < f64::INFINITY) {
+            return None;
+        }
+        if sum == 0.0 {
+            let last = (DECIDE..order).map(|i| (i, square(i))).find(|(_, size)| *size > 0.0);
+            return Some(last.map_or(f64::INFINITY, |(i, size)| exp2(self.by_size(i, log2(size)))));
+        }
+        let logarithms = squares.map(log2);
+        let mut longest = f64::INFINITY;
+        for (i, &logarithm) in logarithms.iter().enumerate().take(order) {
+            longest = longest.min(self.by_size(i, logarithm));
+        }
+        for i in 0..SPARE {
+            // log₂ of the radius, by the ratios to the powers before.
+            let mut radius = f64::NEG_INFINITY;
+            for j in SPARE..DECIDE {
+                if squares[j] > 0.0 {
+                    radius = radius.max((logarithms[j] - logarithms[i]) * (0.5 / (j - i) as f64));
+                }
+            }
+            if squares[i] > 0.0 && radius > f64::NEG_INFINITY {
+                longest = longest.min(radius + SHARE - 2.0 / order as f64);
+            }
+        }
+        Some(exp2(longest))
+    }
+
+    /// log₂ of the step, in units, in which the power p − i is eⁱ⁻² tolerances, where `logarithm`
+    /// is log₂ of its square for a step of one unit.
+    #[inline]
+    fn by_size(&self, i: usize, logarithm: f64) -> f64 {
+        let allowed = (i as f64 - SPARE as f64) * FALL;
+        (allowed - 0.5 * logarithm) / (self.order - i) as f64
     }
 }
 

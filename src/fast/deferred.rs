@@ -79,6 +79,8 @@ impl<N: Number> Mul<f64> for Deferred<N> {
 impl<N: Number> Vector for Deferred<N> {}
 
 impl<N: Number> Numbers<N> for Deferred<N> {
+    const COUNT: usize = 3;
+
     #[inline(always)]
     fn write(self, write: &mut impl FnMut(N)) {
         let Self { sum, factor, series } = self;

@@ -63,6 +63,8 @@ impl<N: Number> Mul<f64> for DoublePhases<N> {
 impl<N: Number> Vector for DoublePhases<N> {}
 
 impl<N: Number> Numbers<N> for DoublePhases<N> {
+    const COUNT: usize = 4;
+
     fn write(self, write: &mut impl FnMut(N)) {
         self.0.into_iter().for_each(write);
     }

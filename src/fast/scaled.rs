@@ -225,6 +225,8 @@ impl<N: Many> Measurable for ReducedPhase<N> {
 }
 
 impl<N: Number> Numbers<N> for ReducedPhase<N> {
+    const COUNT: usize = 2 + Deferred::<N>::COUNT;
+
     #[inline(always)]
     fn write(self, write: &mut impl FnMut(N)) {
         write(self.rest);
@@ -239,6 +241,8 @@ impl<N: Number> Numbers<N> for ReducedPhase<N> {
 }
 
 impl<N: Number> Numbers<N> for ReducedRate<N> {
+    const COUNT: usize = 2 * Deferred::<N>::COUNT;
+
     #[inline(always)]
     fn write(self, write: &mut impl FnMut(N)) {
         self.angle.write(write);

@@ -11,9 +11,10 @@ use super::{Grid, Method, Observer, Unsolved};
 use crate::error::Error;
 use crate::systems::{Counting, Numbers, System};
 
-/// Numbers that a checkpoint holds: enough for the state and the carry of every method.
+/// Numbers that a checkpoint holds. A state and a carry that together have more do not compile
+/// behind a pointer; [`integrate`](crate::integrate()) takes any.
 #[doc(hidden)]
-pub const CHECKPOINT_NUMBERS: usize = 12;
+pub const CHECKPOINT_NUMBERS: usize = 32;
 
 /// Where a run stands: the steps taken, and the state and the method's carry as numbers.
 ///
@@ -43,7 +44,14 @@ impl Checkpoint {
         &self.numbers
     }
 
-    fn of(steps: u64, state: impl Numbers, carry: impl Numbers) -> Self {
+    fn of<Z: Numbers, C: Numbers>(steps: u64, state: Z, carry: C) -> Self {
+        const {
+            assert!(
+                Z::COUNT + C::COUNT <= CHECKPOINT_NUMBERS,
+                "a run behind a pointer keeps at most 32 numbers, state and carry together: take \
+                 `integrate`"
+            );
+        }
         let mut numbers = [0.0; CHECKPOINT_NUMBERS];
         let mut slots = numbers.iter_mut();
         let mut write = |x| *slots.next().expect("a checkpoint has room for state and carry") = x;
@@ -52,7 +60,7 @@ impl Checkpoint {
         Self { steps, numbers }
     }
 
-    /// State and carry.
+    /// State and carry, which `of` has written.
     fn read<Z: Numbers, C: Numbers>(&self) -> (Z, C) {
         let mut numbers = self.numbers.iter();
         let mut next = || *numbers.next().expect("a checkpoint has room for state and carry");
@@ -60,7 +68,8 @@ impl Checkpoint {
     }
 }
 
-/// The steps of a method on the system `S`, behind a pointer.
+/// The steps of a method on the system `S`, behind a pointer. State and carry have at most 32
+/// numbers together; with more it does not compile.
 pub trait Steps<S: System>: Sync {
     /// The checkpoint after `n` steps `h` (s) that have led to `z`, at the time nh, and the force
     /// evaluations that it cost.

@@ -65,6 +65,8 @@ impl State for CompensatedPhase {
 }
 
 impl Numbers for CompensatedPhase {
+    const COUNT: usize = 2 * <Phase as Numbers>::COUNT;
+
     fn write(self, write: &mut impl FnMut(f64)) {
         self.phase.write(write);
         self.lost.write(write);

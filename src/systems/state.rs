@@ -139,6 +139,9 @@ impl<Z: Components> Measurable for Z {
 /// a step carries to the next.
 #[doc(hidden)]
 pub trait Numbers<N = f64>: Copy {
+    /// How many numbers it has.
+    const COUNT: usize;
+
     /// Passes its numbers to `write`, one after the other.
     fn write(self, write: &mut impl FnMut(N));
 
@@ -147,6 +150,8 @@ pub trait Numbers<N = f64>: Copy {
 }
 
 impl<N> Numbers<N> for () {
+    const COUNT: usize = 0;
+
     #[inline]
     fn write(self, _write: &mut impl FnMut(N)) {}
 
@@ -155,6 +160,8 @@ impl<N> Numbers<N> for () {
 }
 
 impl<N: Number> Numbers<N> for N {
+    const COUNT: usize = 1;
+
     #[inline(always)]
     fn write(self, write: &mut impl FnMut(N)) {
         write(self);
@@ -263,6 +270,8 @@ macro_rules! state {
         }
 
         impl $crate::systems::Numbers for $State {
+            const COUNT: usize = [$(::core::stringify!($component)),+].len();
+
             #[inline]
             fn write(self, write: &mut impl FnMut(f64)) {
                 $(write(self.$component);)+

@@ -5,10 +5,12 @@ use std::num::NonZeroU64;
 
 use pendula::fast::FastRun;
 use pendula::integrate::{Checkpoint, Every, Run};
+use pendula::methods::BlanesMoan6;
 use pendula::metrics::EnergyDrift;
-use pendula::systems::{DoublePhase, Driven, Joint};
+use pendula::systems::{DoublePhase, Driven, Joint, Separable};
 use pendula::{
-    AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, integrate, integrate_fast,
+    AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, StormerVerlet, System,
+    integrate, integrate_fast, state,
 };
 
 use crate::common::{First, Samples, steps, steps_on, try_integrate};
@@ -152,3 +154,76 @@ fn the_evaluations_of_the_parts_add_up(method: &dyn AnyMethod) {
     }
 }
 each_method!(the_evaluations_of_the_parts_add_up);
+
+state! {
+    /// Two bodies in the plane, or their rates of change.
+    pub struct TwoBodies {
+        pub x1: f64,
+        pub y1: f64,
+        pub x2: f64,
+        pub y2: f64,
+        pub u1: f64,
+        pub v1: f64,
+        pub u2: f64,
+        pub v2: f64,
+    }
+}
+
+/// Two bodies of mass 1 on springs to the origin and to each other.
+#[derive(Clone, Copy)]
+struct Springs;
+
+impl System for Springs {
+    type State = TwoBodies;
+
+    fn rate(&self, _t: f64, z: TwoBodies) -> TwoBodies {
+        let TwoBodies { x1, y1, x2, y2, u1, v1, u2, v2 } = z;
+        let (x, y) = (x1 - x2, y1 - y2);
+        TwoBodies {
+            x1: u1,
+            y1: v1,
+            x2: u2,
+            y2: v2,
+            u1: -x1 - x,
+            v1: -y1 - y,
+            u2: -x2 + x,
+            v2: -y2 + y,
+        }
+    }
+}
+
+impl Separable for Springs {
+    type Force = TwoBodies;
+
+    fn force(&self, t: f64, z: TwoBodies) -> TwoBodies {
+        let TwoBodies { u1, v1, u2, v2, .. } = self.rate(t, z);
+        TwoBodies { u1, v1, u2, v2, ..TwoBodies::default() }
+    }
+
+    fn kick(&self, z: TwoBodies, force: TwoBodies, h: f64) -> TwoBodies {
+        z + force * h
+    }
+
+    fn drift(&self, z: TwoBodies, h: f64) -> TwoBodies {
+        let TwoBodies { u1, v1, u2, v2, .. } = z;
+        z + TwoBodies { x1: u1, y1: v1, x2: u2, y2: v2, ..TwoBodies::default() } * h
+    }
+}
+
+/// A state of eight numbers, with a carry of as many.
+///
+/// Catches: a checkpoint without room for a state and a carry of that size, which panicked.
+#[test]
+fn two_bodies_in_the_plane_fit() {
+    let start = TwoBodies { x1: 1.0, y2: -0.5, v1: 0.3, u2: 0.7, ..TwoBodies::default() };
+    let grid = Grid::new(0.1, 20).unwrap();
+    let one = NonZeroU64::MIN;
+    let ends = [
+        Run::start(&Springs, &StormerVerlet, start, &grid).advance(20, one, &mut ()).unwrap(),
+        Run::start(&Springs, &BlanesMoan6, start, &grid).advance(20, one, &mut ()).unwrap(),
+        Run::start(&Springs, &Rk4, start, &grid).advance(20, one, &mut ()).unwrap(),
+    ];
+    assert_eq!(ends[0], integrate(&Springs, &StormerVerlet, start, &grid, &mut ()));
+    assert_eq!(ends[1], integrate(&Springs, &BlanesMoan6, start, &grid, &mut ()));
+    assert_eq!(ends[2], integrate(&Springs, &Rk4, start, &grid, &mut ()));
+}

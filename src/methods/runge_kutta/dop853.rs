@@ -15,7 +15,12 @@ use crate::systems::{RateOf, System, Vector};
 /// order 7.
 ///
 /// Order 8, not symplectic, not symmetric, twelve force evaluations a step; dense output takes
-/// three more. Also called DOP853, Hairer's 8(5,3). Hairer, Nørsett, Wanner, *Solving Ordinary
+/// three more. Also called DOP853, Hairer's 8(5,3). The estimates are those of dop853.f and one
+/// more, which holds where the first vanishes by chance.
+///
+/// With a tolerance the largest error of a step was 130 tolerances in 1.6 million random steps of
+/// pendulums of all kinds, and above 10 in one of 10 000; with the estimates of dop853.f it was
+/// 4800 in 0.6 million. Hairer, Nørsett, Wanner, *Solving Ordinary
 /// Differential Equations I* (1993), Sects. II.5, II.6 and II.10; the coefficients are those of the
 /// authors' program dop853.f.
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,11 +74,16 @@ impl Embedded for Dop853 {
         (z + stages.step() * h, stages)
     }
 
-    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from the embedded methods
-    /// of order 5 and 3 (Hairer, Nørsett, Wanner, Sect. II.10).
+    /// ‖e₅‖² / √(‖e₅‖² + 0.01 ‖e₃‖²), where e₅ and e₃ are the differences from embedded methods of
+    /// order 5 and 3 (Hairer, Nørsett, Wanner, Sect. II.10).
+    ///
+    /// The leading term of e₅ passes through zero on some steps, and the estimate with it. A second
+    /// difference of the same order has a leading term that cannot vanish with the first's; so
+    /// ‖e₅‖ is here the size of the first, as in dop853.f, or half that of the second if that is
+    /// larger. It costs no evaluation, and one step more in 400.
     #[inline]
     fn error<D: Vector>(&self, stages: &Stages<D>, size: impl Fn(D) -> f64) -> f64 {
-        let fifth = size(stages.fifth());
+        let fifth = libm::fmax(size(stages.fifth()), 0.5 * size(stages.other_fifth()));
         let third = size(stages.step() + stages.third() * -1.0);
         if fifth == 0.0 {
             0.0
@@ -214,6 +224,21 @@ tableau! {
             k10: 3.341_791_187_130_174_790_297_318_841e-1,
             k11: 8.192_320_648_511_571_246_570_742_613e-2,
             k12: -2.235_530_786_388_629_525_884_427_845e-2,
+        }
+        /// Another such difference, over h. Those of order 5 from the stages of the step are three,
+        /// linearly independent, and one of them is of order 6. This is the one whose error terms
+        /// of order 6 are orthogonal to those of the first, each weighted by 1/σ of its tree, and
+        /// of the same size; of these, the one with the smallest weights. (Computed with 40 digits
+        /// from the order conditions.)
+        other_fifth => {
+            k1: 2.165_756_247_538_932_985_599_477_906_4e-2,
+            k6: 2.879_296_166_195_582_470_903_128_688_9e-1,
+            k7: -4.688_009_795_612_844_479_514_078_030_2e-1,
+            k8: 3.717_616_063_560_690_964_789_417_494_6e-1,
+            k9: 1.241_891_375_052_300_307_256_924_154_5,
+            k10: -1.324_212_051_799_985_256_435_369_674_3,
+            k11: -1.593_782_221_816_809_175_822_966_894_9e-1,
+            k12: 2.915_109_303_963_364_128_690_061_485_7e-2,
         }
     }
 }

@@ -13,6 +13,12 @@ use crate::systems::{RateOf, System, Vector};
 /// dense output of order 4 takes none. Also called DOPRI5, RK45, RKDP or ode45. Dormand, Prince,
 /// *J. Comput. Appl. Math.* 6 (1980) 19–26; Hairer, Nørsett, Wanner, *Solving Ordinary Differential
 /// Equations I* (1993), Table II.5.2 and Sect. II.6.
+///
+/// With a tolerance the largest error of a step was 3200 tolerances in 1.5 million random steps of
+/// pendulums of all kinds, and above 10 in one of 600. The estimate is one difference, which may
+/// vanish by chance, and the slopes contain no other of its order. Beside an unstable equilibrium a
+/// displacement smaller than the tolerance, which no estimate sees, may grow a thousandfold in a
+/// step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DormandPrince;
 

@@ -53,6 +53,8 @@ pub struct Rotating<Z, T = f64> {
 }
 
 impl<N: Copy, Z: Numbers<N>> Numbers<N> for Rotating<Z, N> {
+    const COUNT: usize = Z::COUNT + 1;
+
     #[inline]
     fn write(self, write: &mut impl FnMut(N)) {
         self.ahead.write(write);

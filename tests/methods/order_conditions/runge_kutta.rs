@@ -311,6 +311,7 @@ fn the_step_has_its_order_for_every_tree(#[case] table: Table, #[case] expected:
 #[rstest]
 #[case::dormand_prince(Table::dormand_prince(), "error", 4)]
 #[case::dop853(Table::dop853(), "fifth", 5)]
+#[case::dop853_other(Table::dop853(), "other_fifth", 5)]
 fn the_estimate_has_the_order_of_the_method_within(
     #[case] table: Table,
     #[case] name: &str,
@@ -318,6 +319,41 @@ fn the_estimate_has_the_order_of_the_method_within(
 ) {
     let nothing = |_: &Tree, _| DoubleDouble::ZERO;
     assert_eq!(order(&table, &table.sums[name], DoubleDouble::ONE, nothing), expected);
+}
+
+/// The number of symmetries σ of a tree: k! for each k equal subtrees, and those of its subtrees.
+fn symmetries(trees: &[Tree], tree: &Tree) -> f64 {
+    // Of k equal subtrees the first has k of them from there on, the next k − 1, …
+    let from = |i: usize| tree.subtrees[i..].iter().filter(|&&tau| tau == tree.subtrees[i]).count();
+    (0..tree.subtrees.len())
+        .map(|i| from(i) as f64 * symmetries(trees, &trees[tree.subtrees[i]]))
+        .product()
+}
+
+/// The error of a step has the terms h⁶ r(τ)/σ(τ) F(τ) for the trees of six vertices, where r is by
+/// how much the condition fails (Hairer, Nørsett, Wanner, Theorem II.3.2). Those of DOP853's two
+/// differences of order 5 are orthogonal vectors of the same length.
+///
+/// Catches: a second estimate that is a multiple of the first, and vanishes with it; one that is
+/// larger, and shortens all steps, or smaller, and is never heard.
+#[test]
+fn the_two_estimates_of_order_5_cannot_vanish_together() {
+    let table = Table::dop853();
+    let trees = trees(6);
+    let elementary = table.elementary(&trees);
+    let product = |x: &str, y: &str| {
+        let of_tree = |(tree, weights): (&Tree, &Vec<_>)| {
+            let error = |name: &str| {
+                total(&table.sums[name], weights).0.rounded() / symmetries(&trees, tree)
+            };
+            if tree.vertices == 6 { error(x) * error(y) } else { 0.0 }
+        };
+        trees.iter().zip(&elementary).map(of_tree).sum::<f64>()
+    };
+    let [one, other] = ["fifth", "other_fifth"].map(|name| product(name, name));
+    // 28 digits, of which three cancel, in sums rounded to f64.
+    assert!(one > 1e-9 && (other / one - 1.0).abs() < 1e-13, "{one:e}, {other:e}");
+    assert!((product("fifth", "other_fifth") / one).abs() < 1e-13);
 }
 
 /// Catches: a wrong digit in the weights of order 3.
