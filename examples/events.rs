@@ -1,4 +1,4 @@
-//! When the pendulum passes the bottom, and where it is at given times.
+//! When the pendulum passes the bottom and turns, and where it is at given times.
 
 use pendula::adaptive::{Adaptive, Direction, Tolerance};
 use pendula::methods::Dop853;
@@ -14,6 +14,17 @@ fn main() -> Result<(), Error> {
     println!("at the bottom, falling: {times:.6?} s");
     let period = exact::period(&pendulum, 2.0)?;
     assert!(times.windows(2).all(|pair| (pair[1] - pair[0] - period).abs() < 1e-8));
+
+    // Several functions at once: the bottom and the turning points take turns.
+    let mut walk = adaptive.steps(&pendulum, start, 0.0, period)?;
+    let names = ["bottom", "turn"];
+    let events =
+        walk.events([(Direction::Either, &|_t, z| z.theta), (Direction::Either, &|_t, z| z.omega)]);
+    for (quarter, event) in (1..).zip(events) {
+        let (index, crossing) = event?;
+        println!("{}: {:.6} s", names[index], crossing.t);
+        assert!((crossing.t - 0.25 * period * f64::from(quarter)).abs() < 1e-8);
+    }
 
     let motion = Motion::new(&pendulum, start)?;
     let times = [0.0, 0.5, 2.5, 10.0];

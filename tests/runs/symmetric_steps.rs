@@ -23,8 +23,13 @@ static SUN: LazyLock<Kepler> = LazyLock::new(|| Kepler::new(2.5).unwrap());
 
 /// The perihelion of an ellipse whose semi-major axis is 1.
 fn perihelion() -> PlanePhase {
-    let vy = (SUN.attraction() * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY)).sqrt();
-    PlanePhase { x: 1.0 - ECCENTRICITY, y: 0.0, vx: 0.0, vy }
+    apsis(ECCENTRICITY)
+}
+
+/// The perihelion of an ellipse of this eccentricity, and the aphelion if it is negative.
+fn apsis(eccentricity: f64) -> PlanePhase {
+    let vy = (SUN.attraction() * (1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+    PlanePhase { x: 1.0 - eccentricity, y: 0.0, vx: 0.0, vy }
 }
 
 /// The period 2π/√μ (s).
@@ -283,6 +288,31 @@ fn energy_and_density_are_off_by_order_two() {
     let nearest = 1.0 - ECCENTRICITY;
     let scale = 0.002 * 0.002 * SUN.attraction() / (nearest * nearest * nearest);
     assert!(fine.1 < scale && fine.1 > 0.1 * scale, "{fine:?} of {scale}");
+}
+
+/// How long a step is, over ε (r/r₀)^(3/2): on ellipses of all eccentricities, from either end, with
+/// 25 to 400 steps a revolution. The density is half a step ahead of the state, so that this is off
+/// by O(ε), and a term of higher order shows in long steps: 42 % was measured at 25 steps a
+/// revolution, 16 % at 50, 7 % at 100 and 2 % at 400.
+///
+/// Catches: a density that loses the motion, without a word, where the motion is fast.
+#[test]
+fn no_step_is_much_longer_than_intended() {
+    for eccentricity in [0.1, -0.1, 0.5, -0.5, 0.9, -0.9, 0.99, -0.99] {
+        for steps in [25.0, 50.0, 100.0, 400.0] {
+            let (start, size) = (apsis(eccentricity), |z: PlanePhase| z.x.hypot(z.y).powf(1.5));
+            let epsilon = year() / steps * size(start);
+            let mut walk = SymmetricSteps::new(&*SUN, start, epsilon, of_free_fall).unwrap();
+            let mut longest = 0.0_f64;
+            for _ in 0..5000 {
+                let before = walk.sample();
+                let intended = epsilon * size(before.z) / size(start);
+                longest = longest.max((walk.next().unwrap().unwrap().t - before.t) / intended);
+            }
+            let bound = 1.0 + 10.0 / steps + 120.0 / (steps * steps);
+            assert!(longest < bound, "{eccentricity}, {steps}: {longest}");
+        }
+    }
 }
 
 /// Catches: a force evaluated twice a step.
