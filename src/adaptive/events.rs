@@ -41,6 +41,9 @@ pub struct Crossing<Z> {
     pub z: Z,
 }
 
+/// Which of several functions crossed zero, counted from 0, and when and where.
+pub type Event<Z> = (usize, Crossing<Z>);
+
 /// Points of a step at which the sign is looked at: two zeros of one function that lie closer
 /// together than an eighth of a step can hide each other.
 const LOOKS: f64 = 8.0;
@@ -71,7 +74,9 @@ impl<Z, G: FnMut(f64, Z) -> f64> Functions<Z> for One<G> {
 /// A function of time (s) and state, whose zeros are events.
 pub type EventFunction<'g, Z> = &'g dyn Fn(f64, Z) -> f64;
 
-impl<Z, const N: usize> Functions<Z> for [(Direction, EventFunction<'_, Z>); N] {
+type Several<'g, Z, const N: usize> = [(Direction, EventFunction<'g, Z>); N];
+
+impl<Z, const N: usize> Functions<Z> for Several<'_, Z, N> {
     fn direction(&self, index: usize) -> Direction {
         self[index].0
     }
@@ -106,7 +111,7 @@ where
         Self { walk, functions, seen: 0.0, values, found, is_started: false, is_over: false }
     }
 
-    fn next(&mut self) -> Option<Result<(usize, Crossing<S::State>), Error>> {
+    fn next(&mut self) -> Option<Result<Event<S::State>, Error>> {
         if self.is_over {
             return None;
         }
@@ -116,7 +121,7 @@ where
     }
 
     /// The next crossing; none at the end of the walk.
-    fn find(&mut self) -> Result<Option<(usize, Crossing<S::State>)>, Error> {
+    fn find(&mut self) -> Result<Option<Event<S::State>>, Error> {
         if !self.is_started {
             self.is_started = true;
             let (s, t, z) = self.walk.reading_point();
@@ -203,7 +208,7 @@ pub struct Crossings<'w, 'a, S: System<State: Components>, M: Controlled<S>, G> 
 
 /// An iterator over the events in a sequence of steps: see [`AdaptiveSteps::events`].
 pub struct Events<'w, 'a, S: System<State: Components>, M: Controlled<S>, const N: usize> {
-    search: Search<'w, 'a, S, M, [(Direction, EventFunction<'w, S::State>); N], N>,
+    search: Search<'w, 'a, S, M, Several<'w, S::State, N>, N>,
 }
 
 impl<'a, S, M> AdaptiveSteps<'a, S, M>
@@ -274,7 +279,7 @@ where
     S: System<State: Components>,
     M: Controlled<S>,
 {
-    type Item = Result<(usize, Crossing<S::State>), Error>;
+    type Item = Result<Event<S::State>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
         self.search.next()

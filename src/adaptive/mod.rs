@@ -34,7 +34,7 @@ mod symmetric;
 mod tolerance;
 
 pub use controlled::Controlled;
-pub use events::{Crossing, Crossings, Direction, EventFunction, Events, StatesAt};
+pub use events::{Crossing, Crossings, Direction, Event, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;
 pub(crate) use steps::Interpolant;
 pub use steps::{AdaptiveSteps, Counts, Dense, Step};

@@ -138,7 +138,7 @@ impl<D: Vector> Expansion<D> {
             *size = square(i);
         }
         let sum = squares.iter().sum::<f64>();
-        if !(sum < f64::INFINITY) {
+        if !sum.is_finite() {
             return None;
         }
         if sum == 0.0 {
