@@ -74,8 +74,7 @@ impl Search {
             let right = right(step.start_time(), step.size(), step.start(), step.end());
             let off = tolerance.error_norm(step.start(), step.end(), step.end() + right * -1.0);
             self.steps += 1;
-            // A NaN too.
-            if !(off <= self.largest) {
+            if off > self.largest || off.is_nan() {
                 self.largest = off;
                 self.which = format!("{tol:e}, {} s from {:?}", step.size(), step.start());
             }
