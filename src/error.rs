@@ -69,12 +69,20 @@ impl fmt::Display for Error {
             Self::Parameter { name, value, allowed } => {
                 write!(f, "{name} = {value:?} is refused: it must be {allowed}")
             }
-            Self::PartialStep { duration, step } => write!(
-                f,
-                "a duration of {duration:?} s is {:?} steps of {step:?} s: it must be a whole \
-                 number of steps",
-                duration / step
-            ),
+            Self::PartialStep { duration, step } => {
+                let steps = duration / step;
+                write!(
+                    f,
+                    "a duration of {duration:?} s is {steps:?} steps of {step:?} s: it must be a \
+                     whole number of steps; "
+                )?;
+                if steps < 1.0 {
+                    return write!(f, "the longest that fits is {duration:?} s");
+                }
+                let (longer, shorter) =
+                    (duration / libm::floor(steps), duration / libm::ceil(steps));
+                write!(f, "the nearest that fit are {longer:?} s and {shorter:?} s")
+            }
             Self::TooManySteps { steps } => write!(
                 f,
                 "{steps:?} steps are too many: at most 2^53 = {MAX_STEPS} can be counted exactly"

@@ -230,3 +230,25 @@ fn energies_have_the_bits_of_each_energy() {
         }
     }
 }
+
+/// Catches: an error that tells what is wrong and leaves the user to find what is right; a step
+/// that is told and refused in its turn.
+#[test]
+fn the_steps_that_an_error_names_fit() {
+    let mut random = Random::new(5);
+    let mut named = 0;
+    for _ in 0..10_000 {
+        let duration = 10_f64.powf(random.between(-12.0, 12.0));
+        let step = duration * 10_f64.powf(random.between(-12.0, 1.0));
+        let Err(error) = Grid::with_duration(step, duration) else { continue };
+        let said = error.to_string();
+        let (_, fitting) = said.split_once("whole number of steps; ").unwrap();
+        for word in fitting.split(' ') {
+            if let Ok(fits) = word.parse() {
+                assert!(Grid::with_duration(fits, duration).is_ok(), "{error}");
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 15_000, "{named}");
+}

@@ -4,7 +4,8 @@
 use std::any::TypeId;
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
+use std::thread;
 
 use anyhow::Context;
 use clap::error::{ContextKind, ErrorKind};
@@ -222,9 +223,9 @@ impl Command {
 
 /// Runs a command; its output goes to `out`.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
-    // As many as RAYON_NUM_THREADS says, or as there are processors. They are started here, because
-    // rayon panics where they are needed and cannot be had.
+    // They are started here, because rayon panics where they are needed and cannot be had.
     ThreadPoolBuilder::new()
+        .num_threads(threads(std::env::var("RAYON_NUM_THREADS").ok().as_deref())?)
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
     let streams = Streams { out, err: &mut io::stderr(), lookout: &Lookout::for_the_user };
@@ -241,6 +242,21 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
             installed::completions(&arguments, definition(), streams.out)
         }
         Command::Man(arguments) => installed::man(&arguments, definition(), streams.out),
+    }
+}
+
+/// The threads that compute: as many as `asked` says, the value of RAYON_NUM_THREADS, or as there
+/// are processors, for which 0 stands. Many more than there are processors would only wait for each
+/// other, and take the memory of the machine while they start.
+fn threads(asked: Option<&str>) -> Result<usize, Failure> {
+    const EACH: usize = 16;
+    let Some(asked) = asked.filter(|asked| !asked.trim().is_empty()) else { return Ok(0) };
+    let most = EACH * thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    match asked.trim().parse() {
+        Ok(count) if count <= most => Ok(count),
+        _ => Err(Failure::refused(format!(
+            "RAYON_NUM_THREADS={asked}: it must be a whole number, at most {most} on this machine"
+        ))),
     }
 }
 

@@ -31,6 +31,11 @@ fn main() -> ExitCode {
         let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
         return ExitCode::from(2);
     }
+    // Before there are other threads.
+    if let Err(failure) = pendula_output::interrupt::interrupts() {
+        let _ = writeln!(io::stderr(), "{}", failure.line().unwrap_or_default());
+        return failure.exit_code();
+    }
     let mut out = io::BufWriter::new(StandardOutput(io::stdout().lock()));
     let outcome = cli::parse(std::env::args_os())
         .and_then(|command| cli::run(command, &mut out))

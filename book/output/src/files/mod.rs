@@ -4,8 +4,9 @@
 //! written beside their place, under a temporary name, and renamed: whatever fails, and whenever
 //! the program ends, the old one is there as it was, or the new one whole. Nothing else in the
 //! program or the builder writes where a user looks. What a process leaves that is killed, the next
-//! one removes.
+//! one removes; one that is interrupted removes [its own](temporary).
 
+pub mod temporary;
 pub mod together;
 pub mod whole_file;
 pub mod whole_folder;

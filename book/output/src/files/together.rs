@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 
 use super::remove;
+use super::temporary::temporary;
 use super::whole_file::WholeFile;
 
 /// What becomes of a file.
@@ -27,8 +28,9 @@ pub fn change(changes: &[Change]) -> Result<()> {
             written.push((path, prepared.with_context(|| cannot(path, "written"))?));
         }
     }
+    let mut known = temporary();
     for (path, file) in written {
-        file.replace().with_context(|| cannot(path, "written"))?;
+        file.rename(&mut known).with_context(|| cannot(path, "written"))?;
     }
     for change in changes {
         if let Change::Removed(path) = change {

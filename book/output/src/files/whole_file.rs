@@ -1,11 +1,12 @@
 //! Files that appear only when they are whole.
 
-use std::fs::{self, File, Metadata};
+use std::fs::{File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf, is_separator};
 
 use tempfile::NamedTempFile;
 
+use super::temporary::{Temporary, temporary};
 use super::{behind_links, clear, folder_of, lock, metadata, prefix};
 
 /// A file that is written under another name and takes the place of its target when it is whole.
@@ -55,14 +56,18 @@ impl WholeFile {
         {
             use std::os::unix::fs::PermissionsExt;
             let mode = old.as_ref().map_or(0o666, |old| old.permissions().mode() & 0o666);
-            builder.permissions(fs::Permissions::from_mode(mode));
+            builder.permissions(std::fs::Permissions::from_mode(mode));
         }
         let folder = folder_of(&target);
+        // An interruption finds no file that it does not know.
+        let mut known = temporary();
         // tempfile's own error names the temporary file, which nobody asked for.
         let file = builder.tempfile_in(folder).map_err(|error| {
             let kind = error.kind();
             io::Error::new(kind, format!("no file can be made in {}: {kind}", folder.display()))
         })?;
+        known.add(file.path());
+        drop(known);
         lock(file.as_file(), file.path())?;
         Ok(Self { file, target, old })
     }
@@ -85,7 +90,7 @@ impl WholeFile {
             #[cfg(unix)]
             let permissions = {
                 use std::os::unix::fs::PermissionsExt;
-                fs::Permissions::from_mode(permissions.mode() & 0o777)
+                std::fs::Permissions::from_mode(permissions.mode() & 0o777)
             };
             self.file.as_file().set_permissions(permissions)?;
         }
@@ -98,8 +103,14 @@ impl WholeFile {
     /// If that fails; the target is then as it was before.
     pub fn replace(mut self) -> io::Result<()> {
         self.complete()?;
+        self.rename(&mut temporary())
+    }
+
+    /// The same of a file that is [complete](Self::complete), for somebody who renames several
+    /// before an interruption may end the process.
+    pub(super) fn rename(self, known: &mut Temporary) -> io::Result<()> {
         let target = self.target.clone();
-        self.leave(&target)
+        self.persist(&target, known)
     }
 
     /// Puts it at `path` instead, as it is.
@@ -108,7 +119,14 @@ impl WholeFile {
     /// If that fails; nothing is then left.
     pub fn leave(self, path: &Path) -> io::Result<()> {
         self.file.as_file().sync_all()?;
-        self.file.persist(path).map(drop).map_err(|refused| refused.error)
+        self.persist(path, &mut temporary())
+    }
+
+    fn persist(self, path: &Path, known: &mut Temporary) -> io::Result<()> {
+        let name = self.file.path().to_path_buf();
+        self.file.persist(path).map_err(|refused| refused.error)?;
+        known.forget(&name);
+        Ok(())
     }
 }
 

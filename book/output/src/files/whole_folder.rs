@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 use tempfile::TempDir;
 
+use super::temporary::temporary;
 use super::{LOCK, OLD, behind_links, clear, exists, folder_of, is_folder, lock, prefix, tree};
 
 /// The file that lists the files of a finished folder.
@@ -45,8 +46,11 @@ impl WholeFolder {
         clear(&target).with_context(cannot)?;
         check(&target)?;
         let name = prefix(&target);
+        let mut known = temporary();
         let work = tempfile::Builder::new().prefix(&name).tempdir_in(folder_of(&target));
         let work = work.with_context(cannot)?;
+        known.add(work.path());
+        drop(known);
         let at = work.path().join(LOCK);
         let file = File::create(&at).with_context(cannot)?;
         lock(&file, &at).with_context(cannot)?;
@@ -73,13 +77,19 @@ impl WholeFolder {
         }
         fs::write(new.join(LIST), list + "\n").with_context(cannot)?;
         check(&target)?;
+        // From here on an interruption waits.
+        let mut known = temporary();
         if exists(&target).with_context(cannot)? {
             let about = fs::metadata(&target).with_context(cannot)?;
             fs::set_permissions(&new, about.permissions()).with_context(cannot)?;
             let old = self.work.path().join(OLD);
             let replaced = in_two_steps(&new, &target, &old);
             // An old one that could not go back is put there by the next builder.
-            self.work.disable_cleanup(replaced.is_err() && exists(&old).unwrap_or(true));
+            let is_old_there = replaced.is_err() && exists(&old).unwrap_or(true);
+            self.work.disable_cleanup(is_old_there);
+            if is_old_there {
+                known.forget(self.work.path());
+            }
             replaced.with_context(cannot)?;
         } else {
             fs::rename(&new, &target).with_context(cannot)?;
@@ -91,6 +101,7 @@ impl WholeFolder {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             closed => closed.with_context(|| format!("{} cannot be removed", work.display()))?,
         }
+        known.forget(&work);
         Ok(target)
     }
 }

@@ -11,9 +11,14 @@ use std::ops;
 use std::str::FromStr;
 
 use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::error::MAX_STEPS;
 
 /// What a number may be.
 pub const NUMBER: &str = "it must be a number without a unit, as 0.01 or 1e-3";
+
+/// A count that is refused.
+const TOO_MANY: &str =
+    "a COUNT of more than 2^53 is beyond what f64 can tell apart: it must be a number";
 
 /// A number. Whether it may be infinite or negative is for the library to say.
 pub fn number(text: &str) -> Result<f64, &'static str> {
@@ -61,6 +66,9 @@ impl Sweep {
         let range = |from, to, count: &str| {
             let (from, to) = (finite(from)?, finite(to)?);
             let count = count.parse().ok().filter(|count| *count >= 2).ok_or(NUMBER)?;
+            if count > MAX_STEPS {
+                return Err(TOO_MANY);
+            }
             Ok(Self::Range(Range { from, to, count }))
         };
         let sweep = match text.split(':').collect::<Vec<_>>()[..] {

@@ -20,6 +20,7 @@ use super::plot::Drawing;
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::whole_file::WholeFile;
+use pendula_output::interrupt::leaving;
 
 /// Where a run is kept when it is interrupted, and whence it is resumed.
 #[derive(Args, Debug)]
@@ -272,6 +273,7 @@ impl<'a> Kept<'a> {
                  resumed"
             )));
         };
+        leaving();
         let progress = serde_json::to_value(progress).expect("a state is texts and numbers");
         let (version, arguments) = (VERSION.to_owned(), self.given.words.clone());
         let state = State { version, arguments, rows: printed, to_file, progress };

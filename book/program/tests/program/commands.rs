@@ -310,6 +310,33 @@ fn each_command_that_integrates_draws() {
     insta::assert_snapshot!(drawn.concat());
 }
 
+/// A double pendulum in steps that vary beside itself in steps of 1 ms, which are off by 1e-9 in 2 s
+/// where neighbours part by a factor of ten.
+///
+/// Catches: a tolerance that is refused where it matters most; one that is not kept; another system.
+#[test]
+fn two_rods_keep_a_tolerance() {
+    let scene = "simulate --system double-pendulum --theta1 2 --theta2 1 --omega2 -1 --mass2 3";
+    let end = |line: &str| numbers(&printed(&words(&format!("{scene} {line}")))).pop().unwrap();
+    let right = end("--dt 0.001 --duration 2");
+    for method in ["dop853", "dormand-prince"] {
+        let row = end(&format!("--method {method} --tolerance 1e-9 --duration 2"));
+        let far = row.iter().zip(&right).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(far < 1e-6, "{method}: {far:e}");
+    }
+}
+
+/// Catches: as many threads as the environment asks for, which takes minutes and all memory.
+#[test]
+fn too_many_threads_are_refused() {
+    for count in ["100000", "-1", "many"] {
+        let mut sweep = Command::new(PENDULA);
+        sweep.args(words("sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1"));
+        let line = refused(&sweep.env("RAYON_NUM_THREADS", count).output().unwrap());
+        assert!(line.contains("it must be a whole number, at most"), "{line}");
+    }
+}
+
 /// Catches: rows lost where there is a file for them; a picture left by a run that fails; rows that
 /// appear although their picture cannot.
 #[test]

@@ -29,10 +29,16 @@ fn send(signal: Signal, to: &Child) {
 }
 
 /// How the run ended after a signal: with status 2, and one line.
-fn interrupted(run: Child) -> Output {
+fn ended(run: Child) -> (Output, String) {
     let output = run.wait_with_output().expect("it ends");
     let line = String::from_utf8(output.stderr.clone()).expect("UTF-8");
     assert_eq!((output.status.code(), line.lines().count()), (Some(2), 1), "{line}");
+    (output, line)
+}
+
+/// The same of a run that has noticed it.
+fn interrupted(run: Child) -> Output {
+    let (output, line) = ended(run);
     assert!(line.contains("interrupted after"), "{line}");
     output
 }
@@ -93,32 +99,48 @@ fn a_signal_leaves_standard_output_whole() {
     assert!(rows.len() > 5);
 }
 
-/// The run waits for a reader that does not read.
+/// The run waits for a reader that does not read, and cannot look at the signal.
 ///
-/// Catches: several signals at once, as a closing terminal sends them, that end the process; a
-/// later one that does not.
+/// Catches: a run that is deaf to the first signal, or to all of them; one that says nothing.
 #[test]
-fn a_later_signal_ends_the_process_at_once() {
+fn a_run_that_waits_is_ended() {
     let mut run = printing("simulate --method rk4 --theta0 1 --dt 0.001 --steps 1000000000");
-    let state = || {
-        let number = run.id().to_string();
-        Command::new("ps").args(["-o", "stat=", "-p", &number]).output().expect("ps").stdout
-    };
     // Until it has filled the pipe.
-    while !state().starts_with(b"S") {
+    while state(&run) != b'S' {
         thread::sleep(Duration::from_millis(5));
     }
-    for signal in [Signal::HUP, Signal::TERM, Signal::INT] {
+    // Nobody reads the rows, but somebody waits for the end of them.
+    let rows = run.stdout.take();
+    send(Signal::TERM, &run);
+    assert_eq!(ended(run).1, "pendula: interrupted\n");
+    drop(rows);
+}
+
+/// A FIFO that nobody reads cannot be opened.
+///
+/// Catches: a run that hears no signal before it computes.
+#[test]
+fn what_has_not_begun_is_ended() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fifo = folder.path().join("fifo");
+    assert!(Command::new("mkfifo").arg(&fifo).status().expect("mkfifo").success());
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        let line = "simulate --method rk4 --theta0 1 --dt 0.01 --duration 10 --output";
+        let run = start(&format!("{line} {}", fifo.display()));
+        // It listens once it sleeps: there is nothing else that it waits for.
+        while state(&run) != b'S' {
+            thread::sleep(Duration::from_millis(5));
+        }
+        thread::sleep(Duration::from_millis(50));
         send(signal, &run);
-        thread::sleep(Duration::from_millis(50));
+        assert_eq!(ended(run).1, "pendula: interrupted\n");
+        assert_eq!(names(folder.path()), ["fifo"]);
     }
-    assert_eq!(run.try_wait().expect("its status"), None);
-    let status = (0..200).find_map(|_| {
-        thread::sleep(Duration::from_millis(50));
-        // Its number is its own until its status is known.
-        send(Signal::INT, &run);
-        run.try_wait().expect("its status")
-    });
-    run.kill().expect("it can be ended");
-    assert_eq!(status.and_then(|status| status.code()), Some(2));
+}
+
+/// How the system calls the state of a process: S where it sleeps.
+fn state(run: &Child) -> u8 {
+    let number = run.id().to_string();
+    let listed = Command::new("ps").args(["-o", "stat=", "-p", &number]).output().expect("ps");
+    listed.stdout.first().copied().unwrap_or_default()
 }

@@ -282,7 +282,7 @@ fn what_is_no_state_is_refused() {
         ("\"rows\"", "\"lines\"", "unknown field `lines`"),
         ("\"steps\":4", "\"steps\":10", "beyond the last of 9"),
         ("\"steps\":4", "\"step\":4", "unknown field `step`"),
-        ("\"numbers\":[", "\"numbers\":[0.0,", "invalid length 13"),
+        ("\"numbers\":[", "\"numbers\":[0.0,", "invalid length 33"),
         ("\"numbers\":[", "\"numbers\":[null,", "expected f64"),
     ] {
         assert!(state.contains(from), "{from}: {state}");

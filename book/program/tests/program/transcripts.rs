@@ -36,6 +36,14 @@ simulate --system double-pendulum --theta1 2 --theta2 -0.5 --omega2 1.5 --dt 0.0
     --gravity 3 --length1 1.3 --length2 0.6 --mass1 0.7 --mass2 1.9 --summary
 simulate --system double-pendulum --theta1 2 --theta2 1 --dt 0.01 --steps 1 --method gauss-6 \
     --format json
+simulate --system double-pendulum --theta1 2 --theta2 -0.5 --tolerance 1e-6 --duration 0.5 \
+    --gravity 3 --mass2 1.9 --summary
+simulate --system damped --damping 0.3 --method dormand-prince --theta0 1.2 --tolerance 1e-4 \
+    --duration -1 --summary
+simulate --system driven --drive-strength 1.1 --drive-frequency 2.5 --method dop853 --theta0 1.2 \
+    --tolerance 1e-6 --duration 1 --format json
+simulate --system shaken --pivot-amplitude 0.4 --pivot-frequency 9 --method dop853 --theta0 1.2 \
+    --tolerance 1e-6 --duration 0.5
 sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:0.001:5 --duration 10
 sweep --method rk4 --theta0 1 --dt 0.1:0.4:3 --duration 1
@@ -107,7 +115,10 @@ simulate --method dop853 --theta0 nan --duration 10 --tolerance 1e-6
 simulate --method dop853 --theta0 1 --duration 10 --tolerance 1e-6 --every 2
 simulate --method rk4 --theta0 1 --duration 1 --tolerance 1e-6
 simulate --method rk4 --theta0 1 --duration 1 --tolerance 1e-6 --dt 1
-simulate --method dop853 --theta0 1 --duration 1 --tolerance 1e-6 --system damped --damping 1
+simulate --system double-pendulum --method taylor-series --theta1 1 --theta2 1 --duration 1 \
+    --tolerance 1e-6
+simulate --system double-pendulum --method rk4 --theta1 1 --theta2 1 --duration 1 --tolerance 1e-6
+sweep --method rk4 --theta0 0:1:9007199254740993 --dt 0.01 --duration 1
 simulate --method taylor-series --theta0 1 --dt 1 --steps 1
 simulate --method rk4 --theta0 1 --dt 1 --steps 1 --damping 1
 simulate --method rk4 --theta0 1 --dt 1 --steps 1 --theta1 1

@@ -1,35 +1,33 @@
 //! `pendula simulate`: a trajectory as rows, in equal steps or in steps whose size follows the
 //! motion.
 
-use std::time::Instant;
-
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
 use pendula::fast::FastRun;
 use pendula::integrate::{self, Checkpoint, Steps};
+use pendula::methods::Dop853;
 use pendula::methods::table::Listed;
-use pendula::methods::{Dop853, DormandPrince};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePhase, Numbers};
 use pendula::{
-    AnyMethod, DoublePendulum, Error, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion,
-    Observer, Pendulum, Phase, Rk4, method_named,
+    AnyMethod, DoublePendulum, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum,
+    Phase, Rk4, method_named,
 };
 
 use super::output::{Streams, Summary};
-use super::plot::{Drawing, Panel, TIME};
-use super::state::Kept;
+use super::plot::Panel;
 use super::system::{Chosen, Forced, SystemArguments};
 use pendula_output::failure::Failure;
 use trajectory::{Run, Stands, Trajectory, TrajectoryArguments};
+use walk::{SERIES, Walk};
 
 mod trajectory;
+mod walk;
 
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The method [double-pendulum: rk4]
+    /// The method [double-pendulum: rk4, and with --tolerance dop853]
     #[arg(long, value_name = "M", value_parser = methods())]
     method: Option<String>,
     #[command(flatten)]
@@ -54,16 +52,24 @@ fn methods() -> PossibleValuesParser {
 pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     let Arguments { method, system, trajectory } = arguments;
     let chosen = system.chosen()?;
+    let within = trajectory.by_tolerance();
     let method = match (method, &chosen) {
         (Some(method), _) => method,
+        (None, Chosen::Double(..)) if within.is_some() => Dop853.info().name,
         (None, Chosen::Double(..)) => Rk4.info().name,
         (None, Chosen::Pendulum(..)) => return Err(Failure::refused("--method is missing")),
     };
-    if let Some(within) = trajectory.by_tolerance() {
-        let Chosen::Pendulum(pendulum, start, Forced::No) = chosen else {
-            return Err(Failure::refused("--tolerance is for --system pendulum alone"));
+    if let Some(within) = within {
+        let walk = Walk { method, within, arguments: trajectory };
+        return match chosen {
+            Chosen::Double(double, start) => walk.of_two(&double, start, streams),
+            Chosen::Pendulum(pendulum, start, forced) => match &forced {
+                Forced::No => walk.of_pendulum(&pendulum, start, streams),
+                Forced::Damped(damped) => walk.of_other(damped, DAMPED, &pendulum, start, streams),
+                Forced::Driven(driven) => walk.of_other(driven, DRIVEN, &pendulum, start, streams),
+                Forced::Shaken(shaken) => walk.of_other(shaken, SHAKEN, &pendulum, start, streams),
+            },
         };
-        return Walk { method, pendulum, start, within, arguments: trajectory }.print(streams);
     }
     let (pendulum, start, forced) = match chosen {
         Chosen::Pendulum(pendulum, start, forced) => (pendulum, start, forced),
@@ -77,11 +83,16 @@ pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     let scene = Scene { pendulum, method, start, grid: trajectory.grid()?, arguments: trajectory };
     match forced {
         Forced::No => scene.swing(streams),
-        Forced::Damped(damped) => scene.other(&damped, "the damped pendulum", streams),
-        Forced::Driven(driven) => scene.other(&driven, "the driven pendulum", streams),
-        Forced::Shaken(shaken) => scene.other(&shaken, "the shaken pendulum", streams),
+        Forced::Damped(damped) => scene.other(&damped, DAMPED, streams),
+        Forced::Driven(driven) => scene.other(&driven, DRIVEN, streams),
+        Forced::Shaken(shaken) => scene.other(&shaken, SHAKEN, streams),
     }
 }
+
+/// What systems are called that are made of a pendulum.
+const DAMPED: &str = "the damped pendulum";
+const DRIVEN: &str = "the driven pendulum";
+const SHAKEN: &str = "the shaken pendulum";
 
 /// What is integrated, how, and whence; and how it is printed.
 struct Scene<'a> {
@@ -95,13 +106,31 @@ struct Scene<'a> {
 /// The columns of the rows.
 const COLUMNS: [&str; 4] = ["t", "theta", "omega", "energy"];
 
+/// The row of a time and a state of the pendulum, or of a system that is made of it.
+fn row_of_one(pendulum: Pendulum) -> impl Fn(f64, Phase) -> [f64; 4] {
+    move |t, z| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)]
+}
+
 /// What a plot shows of them.
 const PANELS: [Panel; 2] = [
     Panel::new("angle θ (rad)", &[(1, "")]),
     Panel::new("energy change (J)", &[(3, "")]).since_the_start(),
 ];
 
-/// The same of the double pendulum.
+/// The columns of the double pendulum.
+const COLUMNS_OF_TWO: [&str; 10] =
+    ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"];
+
+/// Its row of a time and a state.
+fn row_of_two(double: &DoublePendulum) -> impl Fn(f64, DoublePhase) -> [f64; 10] {
+    |t, z| {
+        let [omega1, omega2] = double.velocities(z);
+        let [(x1, y1), (x2, y2)] = double.bobs(z);
+        [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
+    }
+}
+
+/// What a plot shows of them.
 const PANELS_OF_TWO: [Panel; 2] = [
     Panel::new("angle (rad)", &[(1, "upper rod, θ_{1}"), (2, "lower rod, θ_{2}")]),
     Panel::new("energy change (J)", &[(9, "")]).since_the_start(),
@@ -139,10 +168,8 @@ impl Scene<'_> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = steps::<S>(method.info().name, called)?;
         // There is no closed form.
-        let end_errors = |summary: &mut Summary, end| {
-            let [first, last] = [start, end].map(|z| pendulum.energy(z));
-            summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
-        };
+        let end_errors =
+            |summary: &mut Summary, end| energy_at_the_end(summary, pendulum, start, end);
         let begin = begins(*system, steps, start, grid);
         self.print(&format!("{called}, "), None, begin, &end_errors, streams)
     }
@@ -163,7 +190,7 @@ impl Scene<'_> {
             start,
             energy: pendulum.energy(start),
             columns: COLUMNS,
-            row: &|t, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)],
+            row: &row_of_one(pendulum),
             panels: &PANELS,
             method: name,
             end_errors,
@@ -190,12 +217,8 @@ fn print_double(
         start,
         energy: double.energy(start),
         panels: &PANELS_OF_TWO,
-        columns: ["t", "theta1", "theta2", "omega1", "omega2", "x1", "y1", "x2", "y2", "energy"],
-        row: &|t, z: DoublePhase| {
-            let [omega1, omega2] = double.velocities(z);
-            let [(x1, y1), (x2, y2)] = double.bobs(z);
-            [t, z.theta1, z.theta2, omega1, omega2, x1, y1, x2, y2, double.energy(z)]
-        },
+        columns: COLUMNS_OF_TWO,
+        row: &row_of_two(double),
         method,
         // There is no closed form.
         end_errors: &|_, _| {},
@@ -237,6 +260,12 @@ fn steps<S: Listed>(name: &str, called: &str) -> Result<&'static dyn Steps<S>, F
     })
 }
 
+/// Adds the energy of the state `end` to the summary, of a system that conserves none.
+fn energy_at_the_end(summary: &mut Summary, pendulum: &Pendulum, start: Phase, end: Phase) {
+    let [first, last] = [start, end].map(|z| pendulum.energy(z));
+    summary.line("energy at the end", format!("{last:.6e} J, of {first:.6e} J"));
+}
+
 /// Adds the errors of the state `end` at the time `t` (s) to the summary, against the closed form,
 /// if it reaches so far.
 fn end_errors(summary: &mut Summary, pendulum: &Pendulum, start: Phase, t: f64, end: Phase) {
@@ -245,107 +274,5 @@ fn end_errors(summary: &mut Summary, pendulum: &Pendulum, start: Phase, t: f64, 
         let exact = motion.at(t);
         summary.line("error of θ at the end", format!("{:.6e} rad", end.theta - exact.theta));
         summary.line("error of ω at the end", format!("{:.6e} rad/s", end.omega - exact.omega));
-    }
-}
-
-/// The method that is no method of equal steps.
-const SERIES: &str = "taylor-series";
-
-/// A trajectory of the pendulum in steps whose size follows the motion.
-struct Walk<'a> {
-    /// The name of the method.
-    method: &'a str,
-    pendulum: Pendulum,
-    start: Phase,
-    /// The tolerance, and the duration (s).
-    within: (f64, f64),
-    arguments: &'a TrajectoryArguments,
-}
-
-impl Walk<'_> {
-    /// Prints a row for the start and one for the end of each step.
-    fn print(&self, streams: Streams<'_>) -> Result<(), Failure> {
-        let [five, eight] = [DormandPrince.info(), Dop853.info()];
-        match self.method {
-            name if name == five.name => self.by(DormandPrince, five.title, streams),
-            name if name == eight.name => self.by(Dop853, eight.title, streams),
-            SERIES => self.by(TaylorSeries, "Taylor series", streams),
-            name => Err(Failure::refused(format!(
-                "--method {name} does not choose its steps: with --tolerance it must be {}, {} or \
-                 {SERIES}",
-                five.name, eight.name
-            ))),
-        }
-    }
-
-    fn by(
-        &self,
-        method: impl Controlled<Pendulum>,
-        title: &str,
-        Streams { out, err, lookout }: Streams<'_>,
-    ) -> Result<(), Failure> {
-        let &Self { pendulum, start, within: (tolerance, duration), arguments, .. } = self;
-        let begun = Instant::now();
-        let mut kept = Kept::new(&arguments.kept)?;
-        let title = format!("{title}, tolerance {tolerance:?}");
-        let tolerance = Tolerance::uniform(tolerance).map_err(Failure::refused)?;
-        let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
-        let mut walk = adaptive.steps(&pendulum, start, 0.0, duration).map_err(Failure::refused)?;
-
-        // Set the interrupt handler before creating the file.
-        let lookout = lookout();
-        let asked = &arguments.plot;
-        let plot = Drawing { asked, title: &title, across: TIME, panels: &PANELS };
-        let mut rows = kept.open(out, plot, arguments.format, COLUMNS, false)?;
-        let mut drift = EnergyDrift::new(&pendulum);
-        drift.observe(0, 0.0, start);
-        let row = |t: f64, z: Phase| [t, z.theta, z.omega, pendulum.energy_from_pivot(z)];
-        rows.row(row(0.0, start))?;
-        loop {
-            let steps = walk.counts().accepted;
-            let step = if lookout.interrupts(steps) {
-                Err(anyhow::anyhow!(
-                    "interrupted after {steps} steps, at {:?} s of {duration:?} s; steps that vary \
-                 cannot be resumed",
-                    walk.time(),
-                ))
-            } else {
-                let Some(step) = walk.next() else { break };
-                step.map_err(explained)
-            };
-            let step = match step {
-                Ok(step) => step,
-                Err(error) => {
-                    // The rows so far are whole.
-                    rows.leave()?;
-                    return Err(Failure::Failed(error));
-                }
-            };
-            let (t, z) = (step.end_time(), step.end());
-            rows.row(row(t, z))?;
-            drift.observe(steps + 1, t, z);
-        }
-        kept.finish(rows)?;
-        if arguments.summary {
-            let counts = walk.counts();
-            let mut summary =
-                Summary::of_cost(counts.accepted, counts.evaluations, begun.elapsed());
-            summary.line("steps rejected", counts.rejected.to_string());
-            summary.energy_error(drift.largest(), pendulum.energy(start), "");
-            end_errors(&mut summary, &pendulum, start, duration, walk.state());
-            summary.print(err)?;
-        }
-        Ok(())
-    }
-}
-
-/// The error with the names of the options that would help.
-fn explained(error: Error) -> anyhow::Error {
-    match error {
-        Error::OutOfSteps { t, limit } => anyhow::anyhow!(
-            "{limit} steps have led no further than to {t:?} s: allow more of them with \
-             --max-steps, a larger --tolerance or a shorter --duration"
-        ),
-        error => error.into(),
     }
 }

@@ -225,7 +225,7 @@ pub struct Stands<Z> {
 }
 
 /// The failure of a trajectory that overflows.
-fn overflow(steps: u64) -> Failure {
+pub fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
         "after {steps} steps the trajectory has left the range of numbers: take a smaller step, or \
          units in which g and L are nearer to 1"

@@ -1,9 +1,9 @@
 //! The runs of a sweep, from many angles or with many steps.
 
 use std::num::NonZeroU64;
-use std::ops;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::{iter, ops};
 
 use pendula::fast::{InLanes, LANES};
 use pendula::methods::table::in_lanes;
@@ -177,13 +177,41 @@ pub fn grids(
     let ends = [end(duration, dt.from)?, end(duration, dt.to)?];
     let steps = move |i: u64| whole(duration / dt.geometric(i));
     // Also where the one before is of another part.
-    let differing = which.filter(move |&i| i == 0 || steps(i) != steps(i - 1));
+    let first = match which.start {
+        0 => Some(0),
+        start => next_change(start - 1, dt.count, steps),
+    };
+    let differing = iter::successors(first, move |&i| next_change(i, dt.count, steps));
+    let differing = differing.take_while(move |i| *i < which.end);
     Ok(differing.filter_map(move |i| {
         let count = steps(i);
         let end = ends.into_iter().find(|end| end.steps() == count);
         // Every step between two allowed steps is allowed.
         end.or_else(|| Grid::new(duration / count as f64, count).ok())
     }))
+}
+
+/// The first number behind `i`, and below `count`, whose number of steps is another than that of
+/// `i`. It is found by doubling the distance and then halving it, so that a range of which most
+/// numbers have the same steps takes no longer than one of which all differ.
+fn next_change(i: u64, count: u64, steps: impl Fn(u64) -> u64) -> Option<u64> {
+    let here = steps(i);
+    let (mut same, mut distance) = (i, 1);
+    let mut other = loop {
+        let ahead = (i + distance).min(count - 1);
+        if steps(ahead) != here {
+            break ahead;
+        }
+        if ahead == count - 1 {
+            return None;
+        }
+        (same, distance) = (ahead, 2 * distance);
+    };
+    while other - same > 1 {
+        let middle = same + (other - same) / 2;
+        if steps(middle) == here { same = middle } else { other = middle }
+    }
+    Some(other)
 }
 
 /// The grid for an end of the range: with `step` (s) itself if it fits, or else with the nearest
@@ -210,6 +238,38 @@ fn whole(quotient: f64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Beside the same by looking at each number.
+    ///
+    /// Catches: a change of the steps that is jumped over, found late, or taken twice; a part that
+    /// begins with the last steps of the one before.
+    #[test]
+    fn every_change_of_the_steps_is_found() {
+        for (from, to, count) in [
+            (0.001, 1.0, 2),
+            (0.01, 1.0, 7),
+            (1.0, 0.003, 500),
+            (0.002, 0.9, 40_000),
+            (0.3, 0.3, 9),
+        ] {
+            let range = Range { from, to, count };
+            let steps = |i| whole(1.0 / range.geometric(i));
+            for which in [0..count, 1..count, count / 3..count / 2, count - 1..count] {
+                let each = which.clone().filter(|&i| i == 0 || steps(i) != steps(i - 1));
+                let expected: Vec<u64> = each.map(steps).collect();
+                let found = grids(1.0, range, which).unwrap();
+                assert!(found.map(|grid| grid.steps()).eq(expected), "{range:?}");
+            }
+        }
+    }
+
+    /// Catches: a range that is looked at number by number: this one would take hours.
+    #[test]
+    fn a_long_range_takes_no_longer_than_its_steps() {
+        let range = Range { from: 0.01, to: 1.0, count: 1 << 53 };
+        let grids = grids(1.0, range, 0..range.count).unwrap();
+        assert!(grids.map(|grid| grid.steps()).eq((1..=100).rev()));
+    }
 
     /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
     /// are lost where a sweep is interrupted.
