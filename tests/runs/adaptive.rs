@@ -36,6 +36,7 @@ macro_rules! each_controlled {
 
 mod between;
 mod ends;
+mod events_looks;
 
 const START: Phase = Phase { theta: 2.0, omega: 0.3 };
 

@@ -1,5 +1,5 @@
-//! The judge at the limits of its numbers: whatever is claimed, asked or answered, it comes back with
-//! a verdict, or with a line that says what is allowed.
+//! The judge at the limits of its numbers: whatever is claimed, asked or answered, it comes back
+//! with a verdict, or with a line that says what is allowed.
 
 use std::cell::Cell;
 
@@ -94,8 +94,8 @@ fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
 #[case::right(Box::new(StormerVerlet))]
 #[case::right_of_high_order(Box::new(Listed(method_named("taylor-24").unwrap())))]
 #[case::at_rest(of(|theta, omega, _| (theta, omega)))]
-#[case::to_and_fro(of(|theta, omega, k| if k % 2 == 0 { (theta, omega) } else { (-theta, -omega) }))]
-#[case::huge_to_and_fro(of(|_, _, k| if k % 2 == 0 { (1e308, -1e308) } else { (-1e308, 1e308) }))]
+#[case::to_and_fro(of(|theta, omega, k| [(theta, omega), (-theta, -omega)][k as usize % 2]))]
+#[case::huge_to_and_fro(of(|_, _, k| [(1e308, -1e308), (-1e308, 1e308)][k as usize % 2]))]
 #[case::away(of(|theta, omega, k| (theta * 2.0_f64.powi(k as i32), omega)))]
 #[case::huge(of(|_, _, _| (f64::MAX, f64::MAX)))]
 #[case::huge_velocity(of(|theta, _, _| (theta, -f64::MAX)))]

@@ -43,7 +43,7 @@ fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
 #[rstest]
 #[case::at_rest(of(|theta, omega, _| (theta, omega)))]
 #[case::huge(of(|_, _, _| (f64::MAX, f64::MAX)))]
-#[case::huge_to_and_fro(of(|_, _, k| if k % 2 == 0 { (f64::MAX, -1e308) } else { (-f64::MAX, 1e308) }))]
+#[case::huge_to_and_fro(of(|_, _, k| [(f64::MAX, -1e308), (-f64::MAX, 1e308)][k as usize % 2]))]
 #[case::far(of(|theta, omega, k| (theta * 1e300, omega * k as f64 * 1e300)))]
 #[case::away(of(|theta, omega, k| (theta * 2.0_f64.powi(k as i32), omega)))]
 #[case::subnormal(of(|_, _, k| (5e-324 * k as f64, -5e-324)))]
@@ -75,8 +75,8 @@ fn script(state: &str) -> [String; 3] {
     ["sh".to_string(), "-c".to_string(), text]
 }
 
-/// Catches: a number of an answer that the reader of the protocol makes another one of, or that ends
-/// the judge; a count of evaluations that overflows.
+/// Catches: a number of an answer that the reader of the protocol makes another one of, or that
+/// ends the judge; a count of evaluations that overflows.
 #[cfg(unix)]
 #[rstest]
 #[case::huge("1e308 -1.7976931348623157e308")]
