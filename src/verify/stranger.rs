@@ -32,10 +32,39 @@ pub struct Request {
     pub every: u64,
 }
 
+/// The most steps of a request that a method of the library, or a function, is asked for: some ten
+/// seconds.
+const MOST_STEPS: u64 = 1_000_000_000;
+/// The most states of an answer of theirs, which are kept until it is known that there is one.
+const MOST_STATES: u64 = 10_000_000;
+
 impl Request {
-    /// The number of states that the answer has.
+    /// The number of states that the answer has; 0 if k is 0.
     pub const fn states(&self) -> u64 {
-        self.steps / self.every
+        match self.every {
+            0 => 0,
+            every => self.steps / every,
+        }
+    }
+
+    /// A fault that says what is allowed, if a number is out of its range. g/L and the drive are
+    /// checked by the system.
+    fn check(&self) -> Result<(), Fault> {
+        let Self { start: Phase { theta, omega }, step, steps, every, .. } = *self;
+        let why = if !(theta.is_finite() && omega.is_finite()) {
+            format!("θ = {theta:?}, ω = {omega:?}: the start must be finite")
+        } else if !step.is_finite() || step == 0.0 {
+            format!("h = {step:?}: it must be finite and not zero")
+        } else if steps == 0 || every == 0 || steps % every != 0 {
+            format!("n = {steps}, k = {every}: they must be 1 or more, and k divide n")
+        } else if steps > MOST_STEPS {
+            format!("more than {MOST_STEPS} steps")
+        } else if self.states() > MOST_STATES {
+            format!("more than {MOST_STATES} states")
+        } else {
+            return Ok(());
+        };
+        Err(Fault::Refused(why))
     }
 }
 
@@ -83,11 +112,12 @@ pub trait Stranger {
     /// The states that the request asks for.
     ///
     /// # Errors
-    /// A [`Fault`] says why there are none.
+    /// A [`Fault`] says why there are none. Methods of the library, and functions, refuse numbers
+    /// that are out of range, more than a billion steps, and more than ten million states.
     fn answer(&self, request: &Request) -> Result<Reply, Fault>;
 
-    /// The most steps of a request that it answers in time. The judge asks for no longer runs, and
-    /// says what it cannot tell without.
+    /// The most steps of a request that it answers in time. Of the runs of more than 2000 steps the
+    /// judge asks for no longer ones, and says what it cannot tell without.
     fn longest_run(&self) -> u64 {
         u64::MAX
     }
@@ -112,6 +142,7 @@ pub struct ByPointer<'a> {
 
 impl Stranger for ByPointer<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        request.check()?;
         let pendulum = pendulum(request)?;
         let Some(drive) = request.drive else {
             let (states, evaluations) = states(self.pendulum, &pendulum, request);
@@ -159,6 +190,7 @@ impl Stranger for Listed<'_> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
         }
+        request.check()?;
         let pendulum = pendulum(request)?;
         let sign = request.step.signum();
         let along = |z: Phase| Phase { omega: sign * z.omega, ..z };
@@ -178,7 +210,8 @@ impl Stranger for Listed<'_> {
 }
 
 /// A stranger that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns the
-/// pairs (θ, ω) after 1, 2, … n steps: in a vector, or one after the other.
+/// pairs (θ, ω) after 1, 2, … n steps: in a vector, or one after the other. Of more than n no more
+/// than tells so is looked at.
 ///
 /// ```
 /// use pendula::verify::{Claims, FromFn, judge};
@@ -207,11 +240,14 @@ where
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
         }
+        request.check()?;
         let Phase { theta, omega } = request.start;
         let all = (self.0)(request.g_over_l, theta, omega, request.step, request.steps);
         let every = request.every as usize;
         let asked = all.into_iter().skip(every - 1).step_by(every);
-        let states = asked.map(|(theta, omega)| Phase { theta, omega }).collect();
+        // One more would be one too many: the function may never end.
+        let told = asked.take(request.states() as usize + 1);
+        let states = told.map(|(theta, omega)| Phase { theta, omega }).collect();
         Ok(Reply { states, evaluations: None })
     }
 }

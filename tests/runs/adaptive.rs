@@ -37,6 +37,7 @@ macro_rules! each_controlled {
 mod between;
 mod ends;
 mod events;
+mod events_looks;
 mod largest_error;
 
 const START: Phase = Phase { theta: 2.0, omega: 0.3 };

@@ -90,6 +90,28 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
     assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
 }
 
+/// K = h² g/L is 0.01, whatever the step, and the start is at rest: only the step itself is out of
+/// range.
+///
+/// Catches: steps beyond 1e100 s, or below 1e-100 s, taken as the unit of time, so that a run in
+/// them has other bits than in seconds; a limit that is off.
+#[rstest]
+#[case::the_longest(1e100_f64.next_down(), true)]
+#[case::too_long(1e100, false)]
+#[case::far_too_long(1e130, false)]
+#[case::the_shortest(1e-100, true)]
+#[case::too_short(1e-100_f64.next_down(), false)]
+#[case::far_too_short(1e-130, false)]
+fn a_step_that_is_no_unit_of_time_is_taken_in_seconds(#[case] h: f64, #[case] fits: bool) {
+    // g and L share the square of the step, which alone would overflow.
+    let pendulum = Pendulum::new(0.1 / h, 10.0 * h, 1.0 / h).unwrap();
+    let (grid, start) = (Grid::new(h, 100).unwrap(), Phase::at_rest(1.0));
+    assert_eq!(ScaledPendulum::new::<Rk4>(&pendulum, &grid, start).is_some(), fits);
+    let quick = integrate_fast(&pendulum, &Rk4, start, &grid, &mut ());
+    let plain = integrate(&pendulum, &Rk4, start, &grid, &mut ());
+    assert_eq!(bits(quick) == bits(plain), !fits, "{quick:?} {plain:?}");
+}
+
 /// Ten million steps of K = 0.1 can turn a pendulum by 10¹³ rad, whose half turns can be counted;
 /// kicks that add up to 17 steps can turn it 290 times as far, where they cannot.
 ///

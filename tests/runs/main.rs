@@ -13,6 +13,7 @@ mod grid;
 mod implicit;
 mod integrate_fast;
 mod separatrix;
+mod series_overflow;
 mod stability;
 mod symmetric_steps;
 mod taylor_series;

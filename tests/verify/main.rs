@@ -18,6 +18,7 @@ macro_rules! impostors {
 }
 
 mod discrimination;
+mod extremes;
 mod judged;
 mod looks;
 mod metrics;

@@ -369,6 +369,7 @@ fn few(count: usize, series: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 pub mod tests {
     use super::super::Axis;
+    use super::super::regions::{Cell, Fill};
     use super::*;
 
     /// Powers of two, so that every pixel of a whole number is exact: x is at 64 + x, y at 256 − y.
@@ -403,6 +404,53 @@ pub mod tests {
             assert_eq!(same_place((aside, 0.0), (0.0, 0.0)), same, "{aside} to the right");
             assert_eq!(same_place((0.0, 0.0), (0.0, aside)), same, "{aside} down");
         }
+    }
+
+    /// A column of regions that are 18, 19, 39 and 40 high: a line needs 19, two of them 40. And
+    /// narrower columns, just wide enough for the longest name with room for two lines, or not.
+    ///
+    /// Catches: a name in a region that is too low for it, or none where it has room; one line
+    /// where there is room for its numbers too; a text beside the middle of its region.
+    #[test]
+    fn a_region_is_named_where_its_name_has_room() {
+        let cell = |name| Cell { name, number: Some(7), says: Default::default() };
+        let title = |title: &str| Name { title: title.into(), fill: Fill::Paper };
+        let map = |x: [f64; 2]| Map {
+            x: x.into(),
+            y: vec![0.0, 18.0, 37.0, 76.0, 116.0],
+            names: ["low", "a line", "nearly two", "two lines"].map(title).into(),
+            cells: (0..4).map(cell).collect(),
+            unit: "steps".into(),
+            prompt: Default::default(),
+        };
+        let drawn = |x: [f64; 2]| {
+            let map = map(x);
+            let mut out = String::new();
+            let unnamed = with_plot(&chart(""), PLACE, |plot| {
+                let unnamed = plot.draw_map(&mut out, &map).into_iter();
+                unnamed.map(|name| name.title.clone()).collect::<Vec<_>>()
+            });
+            let texts: String = out.lines().filter(|line| line.contains("halo")).collect();
+            (texts, unnamed)
+        };
+        // The middles are at 256 less 27.5, 56.5 and 96; a base line is 6 below the middle of a
+        // line, and those of two lines 4 above and 16 below it.
+        let mut expected = String::new();
+        for (y, text) in [
+            (228.5 + 6.0, "a line"),
+            (199.5 + 6.0, "nearly two"),
+            (160.0 - 4.0, "two lines"),
+            (160.0 + 16.0, "7 steps"),
+        ] {
+            draw_text(&mut expected, "halo", (264.0, y), "middle", text);
+        }
+        let (texts, unnamed) = drawn([100.0, 300.0]);
+        assert_eq!((texts, unnamed), (expected.lines().collect(), vec!["low".to_string()]));
+        let wide = width("two lines") + 8.0;
+        let (texts, unnamed) = drawn([100.0, 100.0 + wide + 0.5]);
+        assert!(texts.contains("two lines") && !texts.contains("nearly two"), "{texts}");
+        assert_eq!(unnamed, ["low", "nearly two"]);
+        assert!(!drawn([100.0, 100.0 + wide - 0.5]).0.contains("two lines"));
     }
 
     /// Catches: a line on the very edge lost to rounding; one beside the plot drawn on its edge.

@@ -100,6 +100,18 @@ impl Claims {
     }
 }
 
+/// The largest number that a claim in words may have.
+const MOST: u64 = 99_999;
+
+/// The first characters of a word that is quoted.
+fn shortened(word: &str) -> String {
+    const SHOWN: usize = 60;
+    match word.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &word[..end]),
+        None => word.to_string(),
+    }
+}
+
 /// That there is no method of this name, and which have one like it.
 fn unknown(name: &str) -> String {
     let begins = |known: &&Known| {
@@ -110,13 +122,14 @@ fn unknown(name: &str) -> String {
     let like: Vec<&str> = like.collect();
     let like = if like.is_empty() { vec!["rk4", "stormer-verlet", "…"] } else { like };
     format!(
-        "name={name}: no method of snapshots/known-answers.json has this name; there are {}",
+        "name={}: no method of snapshots/known-answers.json has this name; there are {}",
+        shortened(name),
         like.join(", ")
     )
 }
 
 /// The words of a claim, separated by blanks: `order=2 symplectic symmetric bounded-energy
-/// evaluations=1 name=stormer-verlet`.
+/// evaluations=1 name=stormer-verlet`. The numbers are from 1 to 99 999.
 impl FromStr for Claims {
     type Err = String;
 
@@ -126,8 +139,11 @@ impl FromStr for Claims {
             let (key, value) = word.split_once('=').map_or((word, None), |(k, v)| (k, Some(v)));
             let number = || -> Result<u64, String> {
                 let given = value.unwrap_or_default();
-                let number = given.parse().ok().filter(|number| (1..=99_999).contains(number));
-                number.ok_or_else(|| format!("{word}: {key} is a whole number, as in {key}=2"))
+                let is_digits = given.bytes().all(|byte| byte.is_ascii_digit());
+                let number = given.parse().ok().filter(|number| (1..=MOST).contains(number));
+                number.filter(|_| is_digits).ok_or_else(|| {
+                    format!("{}: {key} is a whole number from 1 to {MOST}", shortened(word))
+                })
             };
             let repeated = match key {
                 "order" => claims.order.replace(number()? as u32).is_some(),
@@ -138,20 +154,21 @@ impl FromStr for Claims {
                     claims.name.replace(name.to_string()).is_some()
                 }
                 "symplectic" | "symmetric" | "bounded-energy" if value.is_some() => {
-                    return Err(format!("{word}: {key} takes no value"));
+                    return Err(format!("{}: {key} takes no value", shortened(word)));
                 }
                 "symplectic" => core::mem::replace(&mut claims.symplectic, true),
                 "symmetric" => core::mem::replace(&mut claims.symmetric, true),
                 "bounded-energy" => core::mem::replace(&mut claims.bounded_energy, true),
                 _ => {
                     return Err(format!(
-                        "{word}: no such claim; there are order=P, symplectic, symmetric, \
-                         bounded-energy, evaluations=N and name=METHOD"
+                        "{}: no such claim; there are order=P, symplectic, symmetric, \
+                         bounded-energy, evaluations=N and name=METHOD",
+                        shortened(word)
                     ));
                 }
             };
             if repeated {
-                return Err(format!("{word}: claimed twice"));
+                return Err(format!("{}: claimed twice", shortened(word)));
             }
         }
         Ok(claims)

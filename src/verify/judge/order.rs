@@ -10,6 +10,11 @@ use crate::verify::stranger::Request;
 /// which symmetry would hide errors.
 const DURATION: f64 = 2.7;
 
+/// Beyond this order a claim makes the ladder no finer: its rungs would lie closer than the whole
+/// numbers of steps that they stand for, and nobody claims more than 24 of a method that is known
+/// here.
+const STEEPEST: u32 = 32;
+
 /// The runs of a rung. The leading term may vanish at one start and not at both.
 const STARTS: [Phase; 2] = [Phase::at_rest(1.0), Phase { theta: -0.6, omega: 4.0 }];
 
@@ -48,14 +53,20 @@ fn error(probe: &Probe<'_>, steps: u64) -> Measured<f64> {
 pub fn ladder(probe: &Probe<'_>, expected: u32) -> Measured<Ladder> {
     const LONGEST: u64 = 1 << 14;
     let order = f64::from(expected.max(1));
-    let factor = libm::exp2((4.0 / order).min(1.0));
+    let factor = libm::exp2((4.0 / order.min(f64::from(STEEPEST))).min(1.0));
     let mut rungs: Vec<(f64, f64)> = Vec::new();
     let mut steps = if expected > 8 { 6.0 } else { 8.0 };
     let longest = LONGEST.min(probe.in_time(LONGEST).unwrap_or(LONGEST / 10));
     let mut unanswered = None;
+    let mut before = 0;
     while steps <= longest as f64 {
         let n = libm::round(steps) as u64;
         steps *= factor;
+        // Of the short ladders of high orders several rungs may be one.
+        if n == before {
+            continue;
+        }
+        before = n;
         match error(probe, n) {
             Ok(error) => rungs.push((DURATION / n as f64, error)),
             // Too long a step for an implicit method, or for a method that runs away.

@@ -23,7 +23,7 @@ pub fn step(x: f64) -> f64 {
 /// A stranger, with what has to be known of it before anything can be asked.
 pub struct Probe<'s> {
     stranger: &'s dyn Stranger,
-    /// The rounding of a step, relative to a state of order 1: as measured, and at least 2⁻⁵².
+    /// The rounding of a step, relative to a state of order 1: as measured, from 2⁻⁵² to 1.
     pub rounding: f64,
     /// The same, if it could be measured.
     pub measured_rounding: Measured<f64>,
@@ -65,7 +65,8 @@ impl<'s> Probe<'s> {
                 probe.measured_rounding = measured.map(|rounding| rounding.max(f64::EPSILON));
             }
         }
-        probe.rounding = probe.measured_rounding.clone().unwrap_or(f64::EPSILON);
+        // What is more than the states themselves is no rounding.
+        probe.rounding = probe.measured_rounding.clone().map_or(f64::EPSILON, |x| x.min(1.0));
         Ok(probe)
     }
 
@@ -153,14 +154,16 @@ impl<'s> Probe<'s> {
             for k in 0..2 {
                 let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
                 let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-                let noise = along.windows(4).map(third).fold(0.0, f64::max);
+                let noise = along.windows(4).map(third).fold(0.0, libm::fmaximum);
                 let expected = 15.0 * APART * (above[k] - below[k]) / 0.02;
                 let missing = (along[15] - along[0] - expected).abs();
-                largest =
-                    largest.max(noise / libm::sqrt(20.0)).max(missing - 1e-3 * expected.abs());
+                for found in [noise / libm::sqrt(20.0), missing - 1e-3 * expected.abs()] {
+                    largest = libm::fmaximum(largest, found);
+                }
             }
         }
-        Ok(largest)
+        // States at the end of the range have differences beyond it.
+        if largest.is_finite() { Ok(largest) } else { Err(Trouble::NotFinite) }
     }
 }
 

@@ -170,6 +170,10 @@ impl Report {
     }
 }
 
+/// The most characters to which a column is filled up: a formatter panics beyond 65 535, and a name
+/// that is claimed may be of any length.
+const WIDEST: usize = 100;
+
 /// The report as a table.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -181,7 +185,7 @@ impl fmt::Display for Report {
         };
         let head = ["property", "claimed", "verdict"].map(str::to_string);
         let widths = rows().chain([head.clone()]).fold([0; 3], |widths, row| {
-            core::array::from_fn(|i| widths[i].max(row[i].chars().count()))
+            core::array::from_fn(|i| widths[i].max(row[i].chars().count()).min(WIDEST))
         });
         let padded = |row: [String; 3]| {
             let cells = row.into_iter().zip(widths);

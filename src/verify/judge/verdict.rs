@@ -60,6 +60,9 @@ impl fmt::Display for Trouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoAnswer(why) => write!(f, "no answer: {why}"),
+            Self::Count { asked, came } if came > asked => {
+                write!(f, "more than the {asked} states that were asked for")
+            }
             Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
             Self::NotFinite => f.write_str("a state is not finite"),
             Self::Broken(why) => f.write_str(why),

@@ -27,9 +27,6 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(serve(method, io::stdin().lock(), out)?)
 }
 
-/// The most states of an answer, which are kept until it is known that there is one.
-const MOST: u64 = 10_000_000;
-
 /// Answers the lines of `input` by `method` until `bye`, or until they end.
 fn serve(
     method: &'static dyn AnyMethod,
@@ -60,9 +57,6 @@ fn answer(
     request: &Request,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    if request.states() > MOST {
-        return writeln!(out, "error more than {MOST} states");
-    }
     let reply = match stranger.answer(request) {
         Ok(reply) => reply,
         Err(Fault::Unsupported) => return writeln!(out, "unsupported"),

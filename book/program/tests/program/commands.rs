@@ -310,10 +310,11 @@ fn each_command_that_integrates_draws() {
     insta::assert_snapshot!(drawn.concat());
 }
 
-/// A double pendulum in steps that vary beside itself in steps of 1 ms, which are off by 1e-9 in 2 s
-/// where neighbours part by a factor of ten.
+/// A double pendulum in steps that vary beside the same in steps of 1 ms. Both are off by some 1e-9
+/// a second, and in 2 s neighbours part by less than a hundredfold.
 ///
-/// Catches: a tolerance that is refused where it matters most; one that is not kept; another system.
+/// Catches: a tolerance that is refused where it matters most; one that is not kept; another
+/// system.
 #[test]
 fn two_rods_keep_a_tolerance() {
     let scene = "simulate --system double-pendulum --theta1 2 --theta2 1 --omega2 -1 --mass2 3";

@@ -92,3 +92,39 @@ fn spread(k: f64) -> f64 {
     let squares: f64 = starts.iter().zip(&ends).map(change).map(|du| du * du).sum();
     squares / (starts.len() as f64 * 0.5 * k * k * steps as f64)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With steps of 1/4 s, a power of two.
+    ///
+    /// Catches: half a turn a step, or two, for one; the velocity in rad/s taken for that in rad a
+    /// step; a rotation to one side that never escapes; an orbit that comes back.
+    #[test]
+    fn an_orbit_escapes_at_more_than_a_turn_a_step() {
+        let stays = |turns: &[f64]| {
+            let drift = EnergyDrift::new(&Pendulum::PAPER);
+            let mut watch = Staying { drift, step: 0.25, stays: true };
+            for (n, turns) in (0..).zip(turns) {
+                watch.observe(n, 0.0, Phase { theta: 0.0, omega: 4.0 * TAU * turns });
+            }
+            assert_eq!(watch.is_satisfied(), !watch.stays);
+            watch.stays
+        };
+        assert!(stays(&[0.0, 0.51, -0.99, 1.0, -1.0]));
+        for beyond in [1.0_f64.next_up(), -1.01, 3.0] {
+            assert!(!stays(&[0.0, beyond, 0.0]), "{beyond}");
+        }
+    }
+
+    /// Catches: a square of half the side, or one about the bottom; cells whose corners are taken,
+    /// so that some starts are at rest upside down.
+    #[test]
+    fn the_starts_are_the_middles_of_cells() {
+        let turns =
+            |side| starts(side).map(|(theta, u)| (theta / TAU, u / TAU)).collect::<Vec<_>>();
+        assert_eq!(turns(1), [(0.5, 0.5)]);
+        assert_eq!(turns(2), [(0.25, 0.25), (0.25, 0.75), (0.75, 0.25), (0.75, 0.75)]);
+    }
+}

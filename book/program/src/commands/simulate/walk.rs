@@ -129,8 +129,8 @@ impl Walk<'_> {
                 self.by(Dop853, eight.title, system, trajectory, drift, streams)
             }
             SERIES => Err(Failure::refused(format!(
-                "--method {SERIES}: the powers of the motion are known for --system pendulum alone; \
-                 for {called} take {} or {}",
+                "--method {SERIES}: the powers of the motion are known for --system pendulum \
+                 alone; for {called} take {} or {}",
                 five.name, eight.name
             ))),
             name => Err(Failure::refused(format!(

@@ -1,5 +1,6 @@
 //! Judging a program that is not ours: the command, programs that work, and programs that do not.
 
+mod extremes;
 #[cfg(unix)]
 mod faults;
 mod languages;

@@ -338,6 +338,33 @@ mod tests {
         Curve { method: named("rk4"), release: Release::new(), periods, points }
     }
 
+    /// From one number of steps to the next it is chance in which of them a last digit asks for
+    /// one sweep more: of a single count a hundredth, of the mean of fourteen 0.3 % at most,
+    /// measured.
+    /// An eighth of the period counts 0.8 to 3.5 % too many, as its first step has none before it
+    /// to begin from.
+    ///
+    /// Catches: the evaluations of an implicit method counted over a part of the period that is not
+    /// like the whole; those of one period taken for those of the run; a mean over steps that were
+    /// not taken.
+    #[test]
+    fn evaluations_are_those_of_the_whole_run() {
+        let release = Release::new();
+        for method in pendula::METHODS.iter().copied().filter(|method| method.info().implicit) {
+            for periods in [1, 5] {
+                let all = (24..=128).step_by(8);
+                let excess = all.clone().map(|steps| {
+                    let curve = Curve { method, release, periods, points: Vec::new() };
+                    let grid = release.grid(steps, periods);
+                    let whole = method.count_evaluations(&Pendulum::PAPER, release.start, &grid);
+                    curve.evaluations(steps) as f64 / whole as f64 - 1.0
+                });
+                let mean = excess.sum::<f64>() / all.count() as f64;
+                assert!(mean.abs() < 5e-3, "{method:?} over {periods} periods: {mean}");
+            }
+        }
+    }
+
     /// Catches: an error off its chord, or beyond the curve; steps for an error that the curve does
     /// not reach.
     #[test]

@@ -1,0 +1,113 @@
+//! Programs that answer with numbers at the limits of f64, and claims at theirs: a verdict, or one
+//! line, and a page that can be drawn.
+
+use pendula::verify::{Claims, FromFn, Report, Stranger, try_judge};
+use pendula_program::verify::{Judged, formats, page};
+use rstest::rstest;
+
+use super::{assert_valid, judged};
+use crate::{PENDULA, assert_refused};
+
+/// The report on `stranger` in each form.
+#[track_caller]
+fn assert_written(stranger: &dyn Stranger, claims: &Claims) -> Report {
+    let report = try_judge(stranger, claims).expect("it keeps the protocol");
+    let judged = Judged { command: "x", name: "", claims, report: &report };
+    assert_valid(&formats::json(&judged));
+    let (junit, markdown) = (formats::junit(&judged, true), formats::markdown(&judged));
+    let html = page::html(&judged);
+    for text in [&junit, &markdown, &html] {
+        assert!(!text.contains("NaN"), "{text}");
+        // The page of a right method has 0.3 MB, most of it the curve of the energy.
+        assert!(text.len() < 1_000_000, "{} bytes", text.len());
+    }
+    // A difference may be infinite, in words; the place of a point is not.
+    let drawings = html.split("<svg").skip(1).filter_map(|rest| rest.split("</svg>").next());
+    for drawing in drawings {
+        let attributes = drawing.split('"').skip(1).step_by(2);
+        let infinite: Vec<&str> = attributes.filter(|value| value.contains("inf")).collect();
+        assert!(infinite.is_empty(), "{infinite:?}");
+    }
+    report
+}
+
+/// A stranger whose state after step k from (θ, ω) is that.
+fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
+    Box::new(FromFn(move |_: f64, theta: f64, omega: f64, _: f64, n: u64| {
+        (1..=n).map(move |k| state(theta, omega, k))
+    }))
+}
+
+/// Catches: a page whose axes have no end or no span, or whose slope is no number; a value in JSON
+/// that is none, a figure of megabytes.
+#[rstest]
+#[case::at_rest(of(|theta, omega, _| (theta, omega)))]
+#[case::huge(of(|_, _, _| (f64::MAX, f64::MAX)))]
+#[case::huge_to_and_fro(of(|_, _, k| [(f64::MAX, -1e308), (-f64::MAX, 1e308)][k as usize % 2]))]
+#[case::far(of(|theta, omega, k| (theta * 1e300, omega * k as f64 * 1e300)))]
+#[case::away(of(|theta, omega, k| (theta * 2.0_f64.powi(k as i32), omega)))]
+#[case::subnormal(of(|_, _, k| (5e-324 * k as f64, -5e-324)))]
+#[case::nothing(of(|_, _, _| (0.0, -0.0)))]
+#[case::nearly_one(of(|_, _, k| (if k % 2 == 0 { 1.0 } else { 1.0_f64.next_up() }, 1.0)))]
+#[case::nan(of(|_, _, _| (f64::NAN, 0.0)))]
+#[case::infinite(of(|_, _, _| (0.0, f64::INFINITY)))]
+fn a_report_is_written_whatever_is_measured(#[case] stranger: Box<dyn Stranger>) {
+    let all = || Claims::order(2).symplectic().symmetric().bounded_energy();
+    let orders = [0, 1, 99_999, u32::MAX].map(Claims::order);
+    let more = [Claims::none(), all().evaluations(0), all().evaluations(u64::MAX).name("\0")];
+    for claims in orders.iter().chain(&more) {
+        assert_written(&*stranger, claims);
+    }
+}
+
+/// A program that answers each request with as many states as it asks for, all of them `state`.
+#[cfg(unix)]
+fn script(state: &str) -> [String; 3] {
+    let text = format!(
+        "read -r line; echo hello 1; while read -r kind g a w h n k; do \
+           case $kind in \
+             pendulum) yes '{state}' | head -n $((n / k)); echo done 18446744073709551615;; \
+             driven) echo unsupported;; \
+             *) exit;; \
+           esac; \
+         done"
+    );
+    ["sh".to_string(), "-c".to_string(), text]
+}
+
+/// Catches: a number of an answer that the reader of the protocol makes another one of, or that
+/// ends the judge; a count of evaluations that overflows.
+#[cfg(unix)]
+#[rstest]
+#[case::huge("1e308 -1.7976931348623157e308")]
+#[case::subnormal("4.9e-324 -1e-400")]
+fn a_program_with_extreme_answers_is_judged(#[case] state: &str) {
+    let words = script(state);
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let claims = "order=99999 symplectic symmetric bounded-energy evaluations=99999";
+    let (status, report) = judged(&["--claims", claims], &words);
+    assert_eq!((status, report["verdict"].as_str()), (1, Some("fails")), "{report:#}");
+    let order = &report["properties"][0];
+    assert_eq!((&order["name"], &order["verdict"]), (&"order".into(), &"fails".into()));
+}
+
+/// Catches: a claim or a patience out of its range that is taken for another one, or for none.
+#[test]
+fn numbers_out_of_range_are_refused_with_what_is_allowed() {
+    let program = [PENDULA, "serve", "rk4"];
+    let refused = |option: &str, value: &str, because: &str| {
+        let words = [&["verify", option, value, "--"], &program[..]].concat();
+        assert_refused(&words, because);
+    };
+    for claim in ["order", "evaluations"] {
+        for number in ["0", "-1", "+2", "1e3", "nan", "inf", "", "100000", "18446744073709551618"] {
+            let because = format!("{claim} is a whole number from 1 to 99999");
+            refused("--claims", &format!("{claim}={number}"), &because);
+        }
+    }
+    refused("--claims", &format!("order={}", "9".repeat(10_000)), "from 1 to 99999");
+    refused("--claims", "name=\u{1b}[31m", "no method of");
+    for patience in ["0", "-0", "5e-324", "1e-10", "nan", "inf", "86400.1", "1e308"] {
+        refused("--patience", patience, "");
+    }
+}
