@@ -16,9 +16,9 @@ use crate::systems::Separable;
 /// (2005); Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. VIII.3.
 ///
 /// It has no tolerance: how far a step is from the intended h = ε σ/σ₀ depends on how much σ
-/// changes from step to step. Over a hundred revolutions on ellipses of eccentricity 0.1 to 0.99 the
-/// longest step was 2.9 times as long with 12 steps a revolution, 1.4 times with 25, and 1.07 with
-/// 100; none was accepted with a density that is not positive.
+/// changes from step to step. Over a hundred revolutions on ellipses of eccentricity 0.1 to 0.99
+/// the longest step was 2.9 times as long with 12 steps a revolution, 1.4 times with 25, and 1.07
+/// with 100; none was accepted with a density that is not positive.
 ///
 /// An iterator over the samples after the start. It ends only after an error.
 #[derive(Clone, Copy, Debug)]

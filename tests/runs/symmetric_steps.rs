@@ -291,8 +291,8 @@ fn energy_and_density_are_off_by_order_two() {
 }
 
 /// How long a step is, over ε (r/r₀)^(3/2): on ellipses of all eccentricities, from either end,
-/// with 25 to 400 steps a revolution. The density is half a step ahead of the state, so that this is off
-/// by O(ε), and a term of higher order shows in long steps: 42 % was measured at 25 steps a
+/// with 25 to 400 steps a revolution. The density is half a step ahead of the state, so that this
+/// is off by O(ε), and a term of higher order shows in long steps: 42 % was measured at 25 steps a
 /// revolution, 16 % at 50, 7 % at 100 and 2 % at 400.
 ///
 /// Catches: a density that loses the motion, without a word, where the motion is fast.

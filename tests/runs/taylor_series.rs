@@ -32,10 +32,10 @@ impl Analytic for Pole {
     }
 }
 
-/// The power p − i is y (yh)^(p−i), and the tolerance a = ε (1 + |y|): it is eⁱ⁻² tolerances at
-/// h = ρ (eⁱ⁻² a/|y|)^(1/(p−i)), and the shortest of the six steps counts, but for 0.7 · 2^(−2/p)
-/// of the radius ρ, which their ratios give exactly. The order p is 4 ⌈(2 − ln ε)/4⌉. The root is good to
-/// 1 %, and its argument to 7 %, of which the root is 1 % more at p = 8 and less beyond: 2 % in
+/// The power p − i is y (yh)^(p−i), and the tolerance a = ε (1 + |y|): it is eⁱ⁻² tolerances at h =
+/// ρ (eⁱ⁻² a/|y|)^(1/(p−i)), and the shortest of the six steps counts, but for 0.7 · 2^(−2/p) of
+/// the radius ρ, which their ratios give exactly. The order p is 4 ⌈(2 − ln ε)/4⌉. The root is good
+/// to 1 %, and its argument to 7 %, of which the root is 1 % more at p = 8 and less beyond: 2 % in
 /// all; of a ratio of two it is twice that.
 ///
 /// Catches: a wrong radius: by other powers than these, or by one of them alone; a root of the
@@ -105,8 +105,8 @@ fn a_step_follows_the_distance_to_the_pole() {
 }
 
 /// No step is off by a tolerance, at any scale: what is left out is some e⁻² of it and less, and
-/// the rounding of a few ε is much less than 1e-10. Each step is compared with the closed form from its
-/// own start, half-way too, on the dense output.
+/// the rounding of a few ε is much less than 1e-10. Each step is compared with the closed form from
+/// its own start, half-way too, on the dense output.
 ///
 /// Catches: a unit of time in which the terms overflow or vanish; a step that grows without limit
 /// where nothing seems to happen; dense output of another series or in another unit.
