@@ -6,7 +6,7 @@ fn main() {
     for step in 0..=100_000 {
         if [0, 100, 1_000, 10_000, 100_000].contains(&step) {
             let energy = omega * omega / 2.0 + 9.81 * (1.0 - theta.cos());
-            println!("after {:4} s: {energy:7.3} J", step / 100);
+            println!("after {:4} s: {energy:7.3} J", h * f64::from(step));
         }
         let omega_new = omega - h * 9.81 * theta.sin(); // the force changes the velocity
         theta += h * omega; // the velocity changes the angle

@@ -178,7 +178,7 @@ class Drawing {
             canvas.ariaLabel = words;
         };
         say(this.stage, `Pendulums side by side: ${names}. ${ring}Drag one to set its angle.`);
-        say(this.phase, `Phase portrait of ${names}${over}. Drag to set θ₀ and ω₀; ${keys}`);
+        say(this.phase, `Phase portrait of ${names}${over}. Drag to set the start; ${keys}`);
         say(this.energy, `${energy} over time of ${names}; ${keys}`);
         say(this.angle, `Angle error against the closed form, of ${names}; ${keys}`);
     }
