@@ -10,6 +10,7 @@ mod exercises;
 mod figures;
 mod geometry;
 mod ledger;
+mod named_files;
 mod predictions;
 mod readme;
 mod rounding;
