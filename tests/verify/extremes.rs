@@ -47,7 +47,7 @@ impl Stranger for Metered<'_> {
         assert!(requests <= MOST_REQUESTS && steps <= MOST_STEPS, "{requests} with {steps} steps");
         let Request { g_over_l, start: Phase { theta, omega }, step, every, .. } = *request;
         let finite = [g_over_l, theta, omega, step].iter().all(|x| x.is_finite());
-        assert!(finite && step != 0.0 && request.steps % every == 0, "{request}");
+        assert!(finite && step != 0.0 && request.steps.is_multiple_of(every), "{request}");
         self.stranger.answer(request)
     }
 
