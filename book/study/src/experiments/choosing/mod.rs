@@ -367,7 +367,7 @@ mod tests {
 
     /// In steps so short that the second sweep or the third changes rounding alone, it depends on
     /// the phase which it is. Some steps from each eighth of a period count as the whole of it to
-    /// 2 %, measured; as many from its beginning count 6 to 7 % too few.
+    /// 2 %, measured; as many from its beginning count 5 to 7 % too few.
     ///
     /// Catches: the first steps of a long period taken for the whole of it, or eight times those of
     /// one eighth.
