@@ -2,11 +2,20 @@
 //! no NaN out of finite numbers.
 
 use std::f64::consts::{PI, TAU};
+use std::num::{NonZeroU32, NonZeroU64};
 
+use pendula::adaptive::{Adaptive, Tolerance};
+use pendula::dynamics::floquet::monodromy;
+use pendula::dynamics::lyapunov::Watch;
+use pendula::dynamics::{Monodromy, PeriodicOrbit, Stroboscope, period_doubling, periodic_orbit};
+use pendula::error::MAX_STEPS;
+use pendula::fast::FastRun;
+use pendula::integrate::Checkpoint;
+use pendula::methods::{Dop853, Gauss6, Implicit, Iteration, Rk4};
 use pendula::metrics::EnergyDrift;
 use pendula::{
-    AnyMethod, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, Pendulum, Phase,
-    method_named,
+    AnyMethod, Driven, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, Pendulum,
+    Phase, integrate_fast, method_named,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
@@ -296,6 +305,132 @@ fn a_processor_takes_steps_of_any_length(#[case] name: &str) {
         // In each of 20 steps four roundings of numbers below 4, by at most 2 ε each.
         assert!(off < 20.0 * 4.0 * 2.0 * f64::EPSILON, "{fast:?} in units of 4^{power}");
     }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Whole numbers
+// -------------------------------------------------------------------------------------------------
+
+/// A count of none, the smallest ones, those about the limits, and the largest.
+const COUNTS: [u64; 8] = [0, 1, 2, u32::MAX as u64, 1 << 32, MAX_STEPS, MAX_STEPS + 1, u64::MAX];
+
+/// Catches: a count out of range accepted, or rounded to another on its way to an f64; a step of
+/// zero out of a period and its number of steps; a refusal that does not say what is allowed.
+#[test]
+fn a_count_out_of_range_is_refused() {
+    let driven = Driven::taylor(1.07).unwrap();
+    for count in COUNTS {
+        let grid =
+            Grid::new(0.5, count).map(|grid| (grid.steps(), grid.samples(), grid.time(count)));
+        let refused = Err(Error::TooManySteps { steps: count as f64 });
+        let expected = (count, count.saturating_add(1), 0.5 * count as f64);
+        assert_eq!(grid, if count <= MAX_STEPS { Ok(expected) } else { refused });
+
+        for period in [5e-324, 1e-300, 1.0, 1e308] {
+            let strobe = Stroboscope::new(&driven, &Rk4, period, count);
+            let fits = (1..=MAX_STEPS).contains(&count) && period / count as f64 > 0.0;
+            assert_eq!(strobe.is_ok(), fits, "{period:e} s in {count} steps: {strobe:?}");
+            let Ok(strobe) = strobe else { continue };
+            // Of a period among subnormal numbers a step has few digits.
+            let right = (strobe.period() / period - 1.0).abs() < 1e-15 || period < 1e-299;
+            assert!(right && strobe.period() > 0.0, "{strobe:?}");
+        }
+        assert!(Stroboscope::new(&driven, &Rk4, f64::NAN, count).is_err());
+    }
+    let most = u32::MAX;
+    for (settling, blocks, periods, fits) in [
+        (0, 2, 1, true),
+        (most, most, most, true),
+        (0, 0, 1, false),
+        (0, 1, most, false),
+        (most, most, 0, false),
+    ] {
+        let watch = Watch::new(settling, blocks, periods);
+        assert_eq!(watch.is_ok(), fits, "{watch:?}");
+    }
+}
+
+/// Steps of RK4 from 1 rad at rest, so that no number is a zero or a NaN.
+const PAUSES: [u64; 5] = [0, 1, 3, 10, u64::MAX];
+
+/// Catches: a run that goes on behind the end of its grid, or before where it stands; a stride that
+/// overflows; a checkpoint beyond the grid that is run from.
+#[test]
+fn a_run_may_be_left_and_taken_up_at_any_count() {
+    let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+    let grid = Grid::new(0.1, 10).unwrap();
+    let states: Vec<Phase> = (0..=10)
+        .map(|n| integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.1, n).unwrap(), &mut ()))
+        .collect();
+    for [first, then] in PAUSES.map(|first| PAUSES.map(|then| [first, then])).concat() {
+        for every in [1, 3, 11, 1 << 33, u64::MAX].map(|every| NonZeroU64::new(every).unwrap()) {
+            let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
+            let mut seen = Vec::new();
+            let mut watch = |n: u64, _: f64, z: Phase| seen.push((n, z));
+            run.advance(first, every, &mut watch).unwrap();
+            let mut later = FastRun::resume(&pendulum, &Rk4, start, &grid, *run.checkpoint());
+            let end = later.advance(then, every, &mut watch).unwrap();
+            let last = first.max(then).min(10);
+            assert_eq!(end, states[last as usize], "to {first}, then to {then}");
+            let expected = (1..=last).filter(|n| n % every.get() == 0);
+            assert!(expected.eq(seen.iter().map(|(n, _)| *n)), "{seen:?} by {every}");
+            assert!(seen.iter().all(|(n, z)| *z == states[*n as usize]), "{seen:?}");
+        }
+        // A checkpoint that has more steps than the grid.
+        let there = FastRun::start(&pendulum, &Rk4, start, &grid);
+        let beyond = Checkpoint::new(first.saturating_add(11), *there.checkpoint().numbers());
+        let mut run = FastRun::resume(&pendulum, &Rk4, start, &grid, beyond);
+        assert_eq!(run.advance(then, NonZeroU64::MAX, &mut ()), Ok(start));
+        assert_eq!((run.checkpoint().steps(), run.evaluations()), (beyond.steps(), 0));
+    }
+}
+
+/// Catches: a limit of attempts that overflows, or is off by one; a limit of sweeps taken for
+/// another, one that is used up although the iteration has ended.
+#[test]
+fn attempts_and_sweeps_are_limited_as_asked_for() {
+    let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+    let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-9).unwrap());
+    let run = |limit| adaptive.max_attempts(limit).integrate(&pendulum, start, 0.0, 5.0, &mut ());
+    let (end, counts) = run(u64::MAX).unwrap();
+    let attempts = counts.accepted + counts.rejected;
+    for limit in [attempts, attempts + 1, u64::MAX - 1] {
+        assert_eq!(run(limit), Ok((end, counts)));
+    }
+    for limit in [0, 1, attempts - 1] {
+        assert!(matches!(run(limit), Err(Error::OutOfSteps { limit: of, .. }) if of == limit));
+    }
+
+    let grid = Grid::new(0.05, 20).unwrap();
+    let with = |sweeps| {
+        let iteration = Iteration::TO_ROUNDING.sweeps(NonZeroU32::new(sweeps).unwrap());
+        pendula::try_integrate_fast(&pendulum, &Gauss6.with(iteration), start, &grid, &mut ())
+    };
+    let enough = with(100).unwrap();
+    assert_eq!([with(u32::MAX), with(u32::MAX - 1)], [Ok(enough); 2]);
+    assert!(matches!(with(1), Err(Error::NotSolved { n: 0, sweeps: 1, .. })), "{:?}", with(1));
+}
+
+/// Catches: a division by no paces, an orbit of no periods for one that returns.
+#[test]
+fn without_a_period_or_a_pace_there_is_no_orbit() {
+    let driven = Driven::taylor(1.07).unwrap();
+    let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), 20).unwrap();
+    let point = Phase { theta: 0.3, omega: -0.1 };
+    assert_eq!(periodic_orbit(&strobe, point, 0), None);
+    let (end, same) = monodromy(&strobe, point, 0);
+    assert_eq!((end, same.determinant(), same.trace()), (point, 1.0, 2.0));
+    let mut asked = 0;
+    let mut orbit = |_, point| {
+        asked += 1;
+        let units = [Phase { theta: -1.0, omega: 0.0 }, Phase { theta: 0.0, omega: -1.0 }];
+        let monodromy = Monodromy { of_theta: units[0], of_omega: units[1] };
+        Some(PeriodicOrbit { point, periods: 1, monodromy })
+    };
+    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), 0), None);
+    // It is at its doubling where it begins.
+    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), u32::MAX), Some(1.0));
+    assert!(asked < 10, "{asked}");
 }
 
 // -------------------------------------------------------------------------------------------------

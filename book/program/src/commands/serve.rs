@@ -133,7 +133,7 @@ mod tests {
     }
 
     /// Catches: one bad line that ends the service or changes the next answer, an answer to `bye`,
-    /// an answer after it, NaN served as a state.
+    /// an answer after it, NaN served as a state, a run that takes for ever.
     #[test]
     fn each_line_has_its_own_answer() {
         let request = "pendulum 9.81 1 0 0.01 4 2\n";
@@ -153,6 +153,8 @@ mod tests {
         let refused = |line| answers("stormer-verlet", line).concat();
         assert!(refused("pendulum -1 1 0 0.01 4 2").starts_with("error "));
         assert_eq!(refused("pendulum 1 1 0 0.1 100000000 1"), "error more than 10000000 states");
+        let for_ever = format!("pendulum 1 1 0 0.1 {0} {0}", u64::MAX);
+        assert_eq!(refused(&for_ever), "error more than 1000000000 steps");
         let overflow = answers("forward-euler", "pendulum 1 1 0 1e200 4 1");
         assert_eq!(overflow, ["error the states leave the range of numbers"]);
     }
