@@ -26,9 +26,9 @@ use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 ///
 /// If all six vanish, the last power that does not decides as they would. In 3 million random steps
 /// of the pendulum and the linear oscillator, and from 4600 starts at which a power vanishes, the
-/// largest error of a step was 1.5 tolerances. It was above 1 at tolerances of 0.001 and more alone.
-/// A system of your own may do worse: at order p nothing is known of a motion whose second power is
-/// beyond the p-th.
+/// largest error of a step was 1.5 tolerances. It was above 1 at tolerances of 0.001 and more
+/// alone. A system of your own may do worse: at order p nothing is known of a motion whose second
+/// power is beyond the p-th.
 ///
 /// A step in which the power p is ε of the whole is h = ρ ε^(1/p) long. Jorba and Zou take p =
 /// −½ ln ε, so that h = ρ/e²: the best where the work of a step grows with p², the number of its
