@@ -334,7 +334,7 @@ where
     /// The state at time `t` (s), or the error of the walk on its way there; none after an error
     /// that the walk has told before.
     fn state(&mut self, t: f64) -> Option<Result<S::State, Error>> {
-        let ((_, last, _), until) = (self.walk.reading_point(), self.walk.end_time());
+        let (last, until) = (self.walk.reading_time(), self.walk.end_time());
         if !(last.min(until)..=last.max(until)).contains(&t) {
             let allowed = "no earlier in the walk than the time before it, nor beyond its end";
             return Some(Err(Error::Parameter { name: "time of a state (s)", value: t, allowed }));

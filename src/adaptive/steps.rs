@@ -156,6 +156,11 @@ where
         self.reading.is_some()
     }
 
+    /// The time up to which the walk has been read (s).
+    pub(super) fn reading_time(&self) -> f64 {
+        self.reading.as_ref().map_or(self.t, |reading| reading.t)
+    }
+
     /// How far the walk has been read: the fraction of the last step, the time (s) and the state.
     pub(super) fn reading_point(&mut self) -> (f64, f64, S::State) {
         match &self.reading {
