@@ -47,7 +47,7 @@ impl Stranger for Metered<'_> {
         assert!(requests <= MOST_REQUESTS && steps <= MOST_STEPS, "{requests} with {steps} steps");
         let Request { g_over_l, start: Phase { theta, omega }, step, every, .. } = *request;
         let finite = [g_over_l, theta, omega, step].iter().all(|x| x.is_finite());
-        assert!(finite && step != 0.0 && request.steps % every == 0, "{request}");
+        assert!(finite && step != 0.0 && request.steps.is_multiple_of(every), "{request}");
         self.stranger.answer(request)
     }
 
@@ -330,7 +330,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
     let (mut answered, mut refused) = (0, 0);
     for request in extreme_requests() {
         let Request { steps, every, start, step, .. } = request;
-        let fits = every > 0 && steps > 0 && steps % every == 0 && steps <= 1_000_000_000;
+        let fits = every > 0 && steps > 0 && steps.is_multiple_of(every) && steps <= 1_000_000_000;
         let numbers = [start.theta, start.omega, step].iter().all(|x| x.is_finite());
         let allowed = fits && steps / every <= 10_000_000 && numbers && step != 0.0;
         for stranger in entries {
