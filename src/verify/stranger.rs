@@ -55,7 +55,7 @@ impl Request {
             format!("θ = {theta:?}, ω = {omega:?}: the start must be finite")
         } else if !step.is_finite() || step == 0.0 {
             format!("h = {step:?}: it must be finite and not zero")
-        } else if steps == 0 || every == 0 || steps % every != 0 {
+        } else if steps == 0 || every == 0 || !steps.is_multiple_of(every) {
             format!("n = {steps}, k = {every}: they must be 1 or more, and k divide n")
         } else if steps > MOST_STEPS {
             format!("more than {MOST_STEPS} steps")

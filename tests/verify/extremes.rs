@@ -330,7 +330,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
     let (mut answered, mut refused) = (0, 0);
     for request in extreme_requests() {
         let Request { steps, every, start, step, .. } = request;
-        let fits = every > 0 && steps > 0 && steps % every == 0 && steps <= 1_000_000_000;
+        let fits = every > 0 && steps > 0 && steps.is_multiple_of(every) && steps <= 1_000_000_000;
         let numbers = [start.theta, start.omega, step].iter().all(|x| x.is_finite());
         let allowed = fits && steps / every <= 10_000_000 && numbers && step != 0.0;
         for stranger in entries {
