@@ -17,8 +17,8 @@ macro_rules! impostors {
     };
 }
 
+mod any_claims;
 mod discrimination;
-mod extremes;
 mod judged;
 mod looks;
 mod metrics;
