@@ -72,7 +72,7 @@ fn a_refusal_says_what_is_allowed() {
     assert_eq!(
         error.to_string(),
         "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s: it must be a whole number of \
-         steps"
+         steps; the nearest that fit are 0.3333333333333333 s and 0.25 s"
     );
 }
 
