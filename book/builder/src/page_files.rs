@@ -83,8 +83,9 @@ fn linked(page: &str, site: &str) -> String {
     linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
 }
 
-/// The script that calls for the fonts of the page. From a disk a browser refuses to load them so
-/// early.
+/// The script that calls for the fonts of the page, and has its text appear when they are there, so
+/// that nothing moves under the reader; after the 3 s for which browsers wait for a font it appears
+/// in any case. From a disk a browser refuses to load fonts so early.
 fn fonts(page: &str) -> String {
     const KINDS: [(&str, &str); 6] = [
         ("<body", "fonts/open-sans-regular"),
@@ -103,6 +104,10 @@ fn fonts(page: &str) -> String {
         "\n        <script>if (location.protocol !== 'file:') for (const name of {names:?}) \
          document.head.append(Object.assign(document.createElement('link'), {{rel: 'preload', \
          as: 'font', type: 'font/woff2', crossOrigin: '', href: `{root}${{name}}.woff2`}}));\
+         document.documentElement.classList.add('awaits-fonts'); \
+         addEventListener('DOMContentLoaded', async () => {{ document.body.offsetHeight; \
+         await Promise.race([document.fonts.ready, new Promise(late => setTimeout(late, 3000))]); \
+         document.documentElement.classList.remove('awaits-fonts'); }});\
          </script>"
     )
 }
