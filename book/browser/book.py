@@ -22,10 +22,7 @@ class Book:
         self.program = self.folder.parent / "release/pendula"
         if not self.program.is_file():
             sys.exit(f"{self.program}: not built; cargo build --release builds it")
-        every = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
-        # Pages of older editions, which only lead to where their subject is now.
-        self.moved = [page for page in every if 'http-equiv="refresh"' in self.text(page)]
-        self.pages = [page for page in every if page not in self.moved]
+        self.pages = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
         links = re.findall(r'<a href="([^"#]+\.html)"', self.text("toc.html"))
         # In reading order, each once. The first chapter is index.html too.
         self.chapters = list(dict.fromkeys(links))

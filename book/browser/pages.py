@@ -2,7 +2,6 @@
 axe-core see (contrast, accessible names, roles, ids, tables, landmarks), and that nothing lies over
 a control."""
 
-import re
 from pathlib import Path
 
 from axe_playwright_python.base import AXE_SCRIPT
@@ -130,15 +129,6 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
         findings += [f"lacks {page}: {title}"] if title not in titles else []
         findings += [f"lacks the end of {page}: {last}"] if last not in text else []
     return [f"print.html, on paper: {finding}" for finding in findings]
-
-
-def test_old_addresses(tab, book):
-    """Pages of older editions lead to the place where their subject is now."""
-    for page in book.moved:
-        place = re.search(r'canonical" href="([^"#]+)#', book.text(page))[1]
-        tab.open(page)
-        assert tab.arrives(lambda there, to=place: there == to), page
-        assert tab.run("document.querySelector(':target') !== null"), page
 
 
 # CSS pixels, from a small telephone to a wide screen. From 1080 on the contents may stand beside

@@ -103,20 +103,6 @@ pub enum Command {
     Man(installed::ManArguments),
 }
 
-/// What commands were called before, and what they are called now. The old names go with the next
-/// release.
-const RENAMED: &[(&str, &[&str])] = &[
-    ("adaptive", &["simulate"]),
-    ("claims", &["paper", "claims"]),
-    ("devices", &["sweep", "devices"]),
-    ("double-pendulum", &["simulate", "--system", "double-pendulum"]),
-    ("ensemble", &["sweep"]),
-    ("flips", &["sweep", "flips"]),
-    ("period", &["exact"]),
-    ("tables", &["paper", "tables"]),
-    ("work-precision", &["bench"]),
-];
-
 /// The definition of the command line.
 pub fn definition() -> clap::Command {
     with_negative_numbers(Cli::command())
@@ -153,7 +139,6 @@ where
     T: Into<OsString> + Clone,
 {
     let mut words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
-    rename(&mut words);
     let mut matches = matches(&words)?;
     let resumed = match matches.subcommand() {
         Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
@@ -174,17 +159,6 @@ where
         kept.from = resumed;
     }
     Ok(command)
-}
-
-/// Puts the new name of a command in the place of an old one, and says so.
-fn rename(words: &mut Vec<OsString>) {
-    let Some(word) = words.get(1) else { return };
-    if let Some((old, new)) = RENAMED.iter().find(|(old, _)| word == old) {
-        let told = format!("pendula: `pendula {old}` is now `pendula {}`", new.join(" "));
-        // Not eprintln!, which panics when standard error is closed.
-        let _ = writeln!(io::stderr(), "{told}");
-        words.splice(1..2, new.iter().map(OsString::from));
-    }
 }
 
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {

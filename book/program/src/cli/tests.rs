@@ -28,33 +28,6 @@ fn no_command_means_help() {
     assert!(matches!(parse(["pendula"]), Err(Failure::Answered)));
 }
 
-/// A program without the book has not all of the new commands, and then it refuses them by their
-/// new names.
-///
-/// Catches: an old name that is gone before its time, or leads to another command; a new name
-/// that is none; an old name that nobody knows in a program without a feature.
-#[test]
-fn an_old_name_is_the_new_one() {
-    let definition = definition();
-    assert_eq!(RENAMED.len(), 9, "whatever the features");
-    for (old, new) in RENAMED {
-        assert!(definition.find_subcommand(old).is_none(), "{old}");
-        let mut words = ["pendula", old, "--help"].map(OsString::from).to_vec();
-        rename(&mut words);
-        let inner: Vec<_> = words[1..words.len() - 1].iter().collect();
-        assert_eq!(inner, *new);
-        let is_there = cfg!(feature = "book") || !["paper", "bench"].contains(&new[0]);
-        match matches(&words) {
-            Err(Failure::Answered) => assert!(is_there, "{old}"),
-            Err(Failure::Refused(reason)) => {
-                let named = new.iter().any(|word| reason.contains(&format!("'{word}'")));
-                assert!(!is_there && named, "{old}: {reason}");
-            }
-            other => panic!("{old}: {other:?}"),
-        }
-    }
-}
-
 /// Every option that takes a number, with its command and what it is called.
 fn numeric_options() -> Vec<(Vec<String>, clap::Command, clap::Arg)> {
     let numbers = [TypeId::of::<f64>(), TypeId::of::<Sweep>()];
