@@ -15,9 +15,7 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 
 use machine::{instructions, seconds};
-use pendula::fast::InLanes;
-use pendula::methods::table;
-use pendula::{Ensemble, Grid, Pendulum, Phase};
+use pendula::{AnyMethod, Ensemble, Grid, Pendulum, Phase};
 use pendula_device::{Device, devices, method_named};
 use threads::with_threads;
 
@@ -60,7 +58,7 @@ fn speed(mut run: impl FnMut(Grid) -> Phase) -> f64 {
 }
 
 /// The same in lanes, with this number of threads.
-fn in_lanes(method: &dyn InLanes, starts: &[Phase], threads: usize) -> f64 {
+fn in_lanes(method: &dyn AnyMethod, starts: &[Phase], threads: usize) -> f64 {
     let mut ends = vec![Phase::default(); starts.len()];
     with_threads(threads, || {
         speed(|grid| {
@@ -72,13 +70,12 @@ fn in_lanes(method: &dyn InLanes, starts: &[Phase], threads: usize) -> f64 {
 
 fn row(name: &str, devices: &[Device], threads: usize) {
     let starts = releases();
-    let lanes = table::in_lanes(name).expect("one of the library's");
     let on_device = method_named(name).expect("one of the library's");
     let info = on_device.host.info();
     let mega = |speed: f64| format!("{:.0}", speed * 1e-6);
     let program = (on_device.program)().expect("a method that runs on devices");
     let mut cells = vec![info.title.to_string(), program.operations.to_string()];
-    cells.extend([1, threads].map(|threads| mega(in_lanes(lanes, &starts, threads))));
+    cells.extend([1, threads].map(|threads| mega(in_lanes(on_device.host, &starts, threads))));
     for device in devices {
         let mut ends = vec![Phase::default(); starts.len()];
         let mut compiled = device.compile(on_device).expect("a device that works");

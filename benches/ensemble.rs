@@ -15,8 +15,7 @@ mod threads;
 use std::hint::black_box;
 
 use machine::{instructions, seconds};
-use pendula::fast::{Ensemble, InLanes, Instructions};
-use pendula::methods::table::in_lanes;
+use pendula::fast::{Ensemble, Instructions};
 use pendula::metrics::EndError;
 use pendula::{AnyMethod, Grid, METHODS, MethodInfo, Pendulum, Phase};
 use threads::with_threads;
@@ -59,7 +58,7 @@ fn evaluations(info: &MethodInfo) -> u64 {
 }
 
 /// Millions of steps a second: one after the other, and in lanes of each kind.
-fn speeds(method: &dyn AnyMethod, lanes: &dyn InLanes) -> [f64; 4] {
+fn speeds(method: &dyn AnyMethod) -> [f64; 4] {
     let (pendulum, starts) = (Pendulum::PAPER, spread());
     let steps = 1000 / evaluations(&method.info()) + 5;
     let grid = Grid::new(0.01, steps).expect("a positive step");
@@ -76,7 +75,7 @@ fn speeds(method: &dyn AnyMethod, lanes: &dyn InLanes) -> [f64; 4] {
         for instructions in [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512] {
             let ensemble = Ensemble::new(&pendulum, &starts, grid).with_instructions(instructions);
             times.push(seconds(|| {
-                black_box(&ensemble).ends(lanes, &mut ends);
+                black_box(&ensemble).ends(method, &mut ends);
                 ends[0]
             }));
         }
@@ -91,19 +90,14 @@ fn speeds(method: &dyn AnyMethod, lanes: &dyn InLanes) -> [f64; 4] {
 ///
 /// A step counts if the next finer one, shorter by √2, also comes there: an error that happens to
 /// cross zero does not count.
-fn to_errors(
-    info: &MethodInfo,
-    lanes: &dyn InLanes,
-    exact: &[EndError],
-    starts: &[Phase],
-) -> [f64; 5] {
+fn to_errors(method: &dyn AnyMethod, exact: &[EndError], starts: &[Phase]) -> [f64; 5] {
     let pendulum = Pendulum::PAPER;
     let mut ends = vec![Phase::default(); starts.len()];
     let mut run = |steps: u64| {
         let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
         let ensemble = Ensemble::new(&pendulum, starts, grid);
         let time = seconds(|| {
-            black_box(&ensemble).ends(lanes, &mut ends);
+            black_box(&ensemble).ends(method, &mut ends);
             ends[0]
         });
         let error = exact.iter().zip(&ends).map(|(exact, end)| exact.of(*end));
@@ -114,7 +108,7 @@ fn to_errors(
     let mut before = None;
     for k in 0_i32.. {
         let steps = (10.0 * f64::powi(std::f64::consts::SQRT_2, k)).round() as u64;
-        if steps * evaluations(info) > MOST_EVALUATIONS {
+        if steps * evaluations(&method.info()) > MOST_EVALUATIONS {
             break;
         }
         let (_, error) = run(steps);
@@ -155,9 +149,8 @@ fn measure(only: &str) -> Tables {
     for &method in METHODS {
         let info = method.info();
         if info.name.contains(only) {
-            let lanes = in_lanes(info.name).expect("one of the library's");
-            tables.speeds.push((info.title, speeds(method, lanes)));
-            tables.times.push((info.title, to_errors(&info, lanes, &exact, &starts)));
+            tables.speeds.push((info.title, speeds(method)));
+            tables.times.push((info.title, to_errors(method, &exact, &starts)));
         }
     }
     tables

@@ -17,7 +17,6 @@ use std::hint::black_box;
 
 use common::NAIVE;
 use pendula::fast::{Ensemble, Instructions};
-use pendula::methods::table::in_lanes;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Grid, METHODS, Pendulum, Phase, integrate_fast, method_named};
 
@@ -47,7 +46,7 @@ fn lanes_named(name: &str, grid: Grid) -> Option<Phase> {
     let mut ends = starts;
     Ensemble::new(&Pendulum::PAPER, &starts, grid)
         .with_instructions(Instructions::Avx2)
-        .ends(in_lanes(name)?, &mut ends);
+        .ends(method_named(name)?, &mut ends);
     Some(ends[0])
 }
 

@@ -88,6 +88,9 @@
 #![cfg_attr(not(any(feature = "verify", feature = "ensemble")), no_std)]
 #![warn(clippy::disallowed_methods)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod adaptive;
 pub mod arithmetic;
 pub mod dynamics;
@@ -97,6 +100,8 @@ pub mod fast;
 pub mod integrate;
 pub mod methods;
 pub mod metrics;
+#[cfg(feature = "alloc")]
+pub mod registry;
 pub mod systems;
 #[cfg(feature = "verify")]
 pub mod verify;
@@ -107,10 +112,9 @@ pub use exact::{Motion, MotionKind};
 pub use fast::Ensemble;
 pub use fast::{integrate_fast, try_integrate_fast};
 pub use integrate::{Grid, Method, Observer, Unsolved, integrate, try_integrate};
-pub use methods::{
-    AnyMethod, ForwardEuler, Info, METHODS, MethodInfo, Rk4, StormerVerlet, SymplecticEuler,
-    Taylor, method_named,
-};
+pub use methods::{ForwardEuler, Info, MethodInfo, Rk4, StormerVerlet, SymplecticEuler, Taylor};
+#[cfg(feature = "alloc")]
+pub use registry::{AnyMethod, METHODS, method_named};
 pub use systems::{
     Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
     Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State,

@@ -9,11 +9,11 @@ use core::ops::ControlFlow;
 
 use super::block::{Block, Each, LANES, Taking};
 use super::instructions::{Instructions, vectors};
-use super::{FastRun, PendulumSteps, ReducedPhase, ScaledPendulum};
-use crate::integrate::{Grid, Method, Observer, integrate};
+use super::{ReducedPhase, ScaledPendulum, start_at};
+use crate::integrate::{Grid, Method, Observer, Run, integrate};
 #[cfg(feature = "table")]
 use crate::methods::{Splitting, splitting::KicksAndDrifts};
-use crate::systems::{Pendulum, Phase, System};
+use crate::systems::{Counting, Pendulum, Phase, System};
 
 /// Pendulums, or other systems, with their starts and the grid of times: one system for all starts,
 /// or one for each.
@@ -150,13 +150,13 @@ impl Ensemble<'_> {
     pub fn ends<M: InLanes + ?Sized>(&self, method: &M, ends: &mut [Phase]) {
         let grid = &self.grid;
         self.for_blocks(ends, |first, ends| match self.starts_of(method, first, ends.len()) {
-            Some(starts) => {
+            Some((blocks, starts)) => {
                 let (steps, starts) = (grid.steps(), &starts[..ends.len()]);
                 let each: &mut Each<'_> = &mut |_, states| {
                     ends.copy_from_slice(&states[..ends.len()]);
                     ControlFlow::Break(())
                 };
-                method.take_block(self.instructions, Block { starts, steps, every: steps, each });
+                blocks.take_block(self.instructions, Block { starts, steps, every: steps, each });
             }
             None => {
                 for (i, end) in (first..).zip(ends) {
@@ -179,7 +179,7 @@ impl Ensemble<'_> {
         let grid = &self.grid;
         self.for_blocks(observers, |first, observers| {
             match self.starts_of(method, first, observers.len()) {
-                Some(starts) => {
+                Some((blocks, starts)) => {
                     for (i, observer) in (first..).zip(&mut *observers) {
                         observer.observe(0, 0.0, self.starts[i]);
                     }
@@ -199,7 +199,7 @@ impl Ensemble<'_> {
                             ControlFlow::Continue(())
                         }
                     };
-                    method.take_block(self.instructions, Block { starts, steps, every, each });
+                    blocks.take_block(self.instructions, Block { starts, steps, every, each });
                 }
                 None => {
                     for (i, observer) in (first..).zip(observers) {
@@ -210,24 +210,26 @@ impl Ensemble<'_> {
         });
     }
 
-    /// The `count` pendulums from `first` on and where they begin, with the step as the unit of
-    /// time; `None` if [`ScaledPendulum::new`] refuses one of them.
-    fn starts_of<M: InLanes + ?Sized>(
+    /// The steps in lanes, and the `count` pendulums from `first` on and where they begin, with
+    /// the step as the unit of time; `None` if the steps are not compiled, or if
+    /// [`ScaledPendulum::new`] refuses one of the pendulums.
+    fn starts_of<'m, M: InLanes + ?Sized>(
         &self,
-        method: &M,
+        method: &'m M,
         first: usize,
         count: usize,
-    ) -> Option<[(ScaledPendulum, ReducedPhase); LANES]> {
+    ) -> Option<(&'m dyn TakesBlocks, [(ScaledPendulum, ReducedPhase); LANES])> {
+        let blocks = method.blocks()?;
         let scaled = |i: usize| {
             let (pendulum, start) = (self.system(i), self.starts[i]);
-            let scaled = method.by_pointer().scaled(pendulum, &self.grid, start)?;
+            let scaled = blocks.scaled(pendulum, &self.grid, start)?;
             Some((scaled, scaled.from_phase(start)))
         };
         let mut starts = [scaled(first)?; LANES];
         for (i, slot) in (first..first + count).zip(&mut starts) {
             *slot = scaled(i)?;
         }
-        Some(starts)
+        Some((blocks, starts))
     }
 
     /// The last state of the pendulum of index `i`, run by itself.
@@ -238,47 +240,72 @@ impl Ensemble<'_> {
         every: NonZeroU64,
         observer: &mut dyn Observer<Phase>,
     ) -> Phase {
-        let start = self.starts[i];
-        let run = FastRun::start(self.system(i), method.by_pointer(), start, &self.grid);
-        run.to_end(start, every, observer)
+        method.begin_one(self.system(i), self.starts[i], &self.grid).finish(every, observer)
     }
 }
 
-/// A method whose steps of the pendulum can be taken in lanes, behind a pointer: any that is
-/// written for all [numbers](super::Number).
+/// A method of which an [`Ensemble`] takes the steps in lanes: any [`Method`] that is written for
+/// every system.
 ///
-/// Whoever calls [`Ensemble::ends`] with a method by its type compiles its steps, for each set of
-/// instructions. With the feature `table` the library has them compiled already:
-/// `methods::table::in_lanes`.
+/// Whoever names it by its type compiles its steps for each set of instructions, which is seconds a
+/// method. Of a method by its name they are compiled with the library, with the feature `table`;
+/// without, the pendulums take their steps one after the other, to the same bits.
 pub trait InLanes: Sync {
-    /// Takes the steps of the block with these instructions.
+    /// Its steps in lanes, if they are compiled.
     #[doc(hidden)]
-    fn take_block(&self, instructions: Instructions, block: Block<'_>);
+    fn blocks(&self) -> Option<&dyn TakesBlocks>;
 
-    /// The same method, for one trajectory.
+    /// Its run of one pendulum.
     #[doc(hidden)]
-    fn by_pointer(&self) -> &dyn PendulumSteps;
+    fn begin_one(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Run<'_, Phase>;
+}
+
+/// The steps of a method in lanes, behind a pointer.
+#[doc(hidden)]
+pub trait TakesBlocks: Sync {
+    /// [`ScaledPendulum::new`] for this method.
+    fn scaled(&self, pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<ScaledPendulum>;
+
+    /// Takes the steps of the block with these instructions.
+    fn take_block(&self, instructions: Instructions, block: Block<'_>);
 }
 
 impl<M> InLanes for M
 where
-    M: PendulumSteps
+    M: TakesBlocks
         + Method<ScaledPendulum>
+        + Method<Counting<ScaledPendulum>>
+        + Method<Counting<Pendulum>>,
+{
+    fn blocks(&self) -> Option<&dyn TakesBlocks> {
+        Some(self)
+    }
+
+    fn begin_one(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Run<'_, Phase> {
+        start_at(pendulum, self, start, grid, 0)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<M> TakesBlocks for M
+where
+    M: Method<ScaledPendulum>
         + Method<ScaledPendulum<vectors::OfBaseline>>
         + Method<ScaledPendulum<vectors::OfAvx2>>
         + Method<ScaledPendulum<vectors::OfAvx512>>
-        + Method<ScaledPendulum<vectors::OfAvx512InLongSteps>>,
+        + Method<ScaledPendulum<vectors::OfAvx512InLongSteps>>
+        + Sync,
 {
+    fn scaled(&self, pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<ScaledPendulum> {
+        ScaledPendulum::new::<M>(pendulum, grid, start)
+    }
+
     fn take_block(&self, instructions: Instructions, block: Block<'_>) {
         if const { <M as Method<ScaledPendulum>>::IS_LONG } {
             instructions.run::<true, _>(Taking(self, block));
         } else {
             instructions.run::<false, _>(Taking(self, block));
         }
-    }
-
-    fn by_pointer(&self) -> &dyn PendulumSteps {
-        self
     }
 }
 
@@ -288,12 +315,12 @@ where
 pub(crate) struct ByItsTable<M>(pub M);
 
 #[cfg(feature = "table")]
-impl<M: Splitting + PendulumSteps> InLanes for ByItsTable<M> {
-    fn take_block(&self, instructions: Instructions, block: Block<'_>) {
-        InLanes::take_block(&KicksAndDrifts::of::<M>(), instructions, block);
+impl<M: Splitting + Sync> TakesBlocks for ByItsTable<M> {
+    fn scaled(&self, pendulum: &Pendulum, grid: &Grid, start: Phase) -> Option<ScaledPendulum> {
+        ScaledPendulum::new::<M>(pendulum, grid, start)
     }
 
-    fn by_pointer(&self) -> &dyn PendulumSteps {
-        &self.0
+    fn take_block(&self, instructions: Instructions, block: Block<'_>) {
+        TakesBlocks::take_block(&KicksAndDrifts::of::<M>(), instructions, block);
     }
 }

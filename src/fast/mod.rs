@@ -10,6 +10,7 @@ mod ensemble;
 mod flips;
 #[cfg(feature = "ensemble")]
 mod instructions;
+#[cfg(feature = "alloc")]
 mod run;
 mod scaled;
 
@@ -21,15 +22,15 @@ pub use deferred::Deferred;
 #[cfg(feature = "table")]
 pub(crate) use ensemble::ByItsTable;
 #[cfg(feature = "ensemble")]
-pub use ensemble::{Ensemble, InLanes};
+pub use ensemble::{Ensemble, InLanes, TakesBlocks};
 #[cfg(feature = "ensemble")]
 pub use flips::{
     DoubleInLanes, DoublePendulums, DoublePhases, first_flips, first_flips_with, is_below,
 };
 #[cfg(feature = "ensemble")]
 pub use instructions::Instructions;
-use run::in_seconds;
-pub use run::{FastRun, PendulumSteps};
+#[cfg(feature = "alloc")]
+pub(crate) use run::start_at;
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
 use crate::error::Error;
@@ -124,5 +125,15 @@ impl<O: Observer<Phase> + ?Sized> Observer<ReducedPhase> for InSeconds<'_, O> {
     #[inline]
     fn is_satisfied(&self) -> bool {
         self.observer.is_satisfied()
+    }
+}
+
+/// The error of a run with time in steps, with its step in seconds.
+const fn in_seconds(error: Error, grid: &Grid) -> Error {
+    match error {
+        Error::NotSolved { n, sweeps, change, .. } => {
+            Error::NotSolved { n, step: grid.step(), sweeps, change }
+        }
+        error => error,
     }
 }

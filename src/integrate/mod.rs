@@ -2,11 +2,15 @@
 
 mod grid;
 mod observe;
+#[cfg(feature = "alloc")]
 mod run;
 
 pub use grid::Grid;
 pub use observe::{Every, Observer, Record};
-pub use run::{CHECKPOINT_NUMBERS, Checkpoint, Run, Steps, Taken};
+#[cfg(feature = "alloc")]
+pub use run::Run;
+#[cfg(feature = "alloc")]
+pub(crate) use run::{BLOCK, Stepper, Taken, Typed};
 
 use crate::error::Error;
 use crate::systems::System;

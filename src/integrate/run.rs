@@ -1,149 +1,24 @@
-//! Runs of a method behind a pointer: in parts, with every k-th state observed.
+//! Runs that are begun, taken further and looked at, of a method that may be known at run time
+//! alone.
 //!
 //! [`integrate`](crate::integrate()) is compiled anew for each method, system and observer that a
-//! program names. Whoever knows a method by its name alone takes it behind a pointer, to [`Steps`];
-//! of that nothing is compiled for a method and a system but "take k steps", and everything else is
-//! written once, in [`Run`].
+//! program names. Here nothing is compiled for a method and a system but "take k steps, n times";
+//! everything else is written once, in [`Run`].
 
+use alloc::boxed::Box;
+use core::fmt;
 use core::num::NonZeroU64;
 
 use super::{Grid, Method, Observer, Unsolved};
 use crate::error::Error;
-use crate::systems::{Counting, Numbers, System};
+use crate::systems::{Counting, System};
 
-/// Numbers that a checkpoint holds. A state and a carry that together have more do not compile
-/// behind a pointer; [`integrate`](crate::integrate()) takes any.
-#[doc(hidden)]
-pub const CHECKPOINT_NUMBERS: usize = 32;
-
-/// Where a run stands: the steps taken, and the state and the method's carry as numbers.
+/// A run of a method on a system, which can be left at any step and taken further later. It owns
+/// what the method carries from step to step, and counts the force evaluations.
 ///
-/// The state that an observer sees is not enough to continue with the same bits: a method that
-/// merges the kick that ends a step with the one that begins the next has already taken part of the
-/// next step. A run from checkpoint to checkpoint passes through the very numbers of one that was
-/// never left.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Checkpoint {
-    steps: u64,
-    numbers: [f64; CHECKPOINT_NUMBERS],
-}
-
-impl Checkpoint {
-    /// The checkpoint after `steps` steps with these [`numbers`](Checkpoint::numbers).
-    pub const fn new(steps: u64, numbers: [f64; CHECKPOINT_NUMBERS]) -> Self {
-        Self { steps, numbers }
-    }
-
-    /// The steps taken.
-    pub const fn steps(&self) -> u64 {
-        self.steps
-    }
-
-    /// The state and the carry, one after the other; the rest is zero.
-    pub const fn numbers(&self) -> &[f64; CHECKPOINT_NUMBERS] {
-        &self.numbers
-    }
-
-    fn of<Z: Numbers, C: Numbers>(steps: u64, state: Z, carry: C) -> Self {
-        const {
-            assert!(
-                Z::COUNT + C::COUNT <= CHECKPOINT_NUMBERS,
-                "a run behind a pointer keeps at most 32 numbers, state and carry together: take \
-                 `integrate`"
-            );
-        }
-        let mut numbers = [0.0; CHECKPOINT_NUMBERS];
-        let mut slots = numbers.iter_mut();
-        let mut write = |x| *slots.next().expect("a checkpoint has room for state and carry") = x;
-        state.write(&mut write);
-        carry.write(&mut write);
-        Self { steps, numbers }
-    }
-
-    /// State and carry, which `of` has written.
-    fn read<Z: Numbers, C: Numbers>(&self) -> (Z, C) {
-        let mut numbers = self.numbers.iter();
-        let mut next = || *numbers.next().expect("a checkpoint has room for state and carry");
-        (Z::read(&mut next), C::read(&mut next))
-    }
-}
-
-/// The steps of a method on the system `S`, behind a pointer. State and carry have at most 32
-/// numbers together; with more it does not compile.
-pub trait Steps<S: System>: Sync {
-    /// The checkpoint after `n` steps `h` (s) that have led to `z`, at the time nh, and the force
-    /// evaluations that it cost.
-    fn start(&self, system: &S, n: u64, h: f64, z: S::State) -> (Checkpoint, u64);
-
-    /// Takes `every` steps `h` (s) for each of the slots of `states`, and writes the state after
-    /// them into it. Between these states nothing is computed that only an observer reads.
-    fn take(
-        &self,
-        system: &S,
-        h: f64,
-        at: &mut Checkpoint,
-        every: NonZeroU64,
-        states: &mut [S::State],
-    ) -> Taken;
-}
-
-/// What [`Steps::take`] has done.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(hidden)]
-pub struct Taken {
-    /// Slots that were written: all, or those before a step that has no solution.
-    pub states: usize,
-    /// Force evaluations, counted.
-    pub evaluations: u64,
-    /// Why the step after the checkpoint has no solution, if it has none.
-    pub unsolved: Option<Unsolved>,
-}
-
-#[diagnostic::do_not_recommend]
-impl<S, M> Steps<S> for M
-where
-    S: System<State: Numbers> + Copy,
-    M: Method<Counting<S>, Carry: Numbers> + Sync,
-{
-    fn start(&self, system: &S, n: u64, h: f64, z: S::State) -> (Checkpoint, u64) {
-        let system = Counting::new(*system);
-        let carry = Method::start(self, &system, n as f64 * h, h, z);
-        (Checkpoint::of(n, z, carry), system.evaluations())
-    }
-
-    fn take(
-        &self,
-        system: &S,
-        h: f64,
-        at: &mut Checkpoint,
-        every: NonZeroU64,
-        states: &mut [S::State],
-    ) -> Taken {
-        let system = Counting::new(*system);
-        let (mut n, (mut z, mut carry)) = (at.steps(), at.read());
-        let mut written = 0;
-        let take = || {
-            for state in states {
-                // Of the states before the last nobody sees anything.
-                for _ in 1..every.get() {
-                    z = self.try_step(&system, n as f64 * h, h, z, &mut carry)?;
-                    n += 1;
-                }
-                z = self.try_step(&system, n as f64 * h, h, z, &mut carry)?;
-                n += 1;
-                *state = z;
-                written += 1;
-            }
-            Ok(())
-        };
-        let unsolved = take().err();
-        *at = Checkpoint::of(n, z, carry);
-        Taken { states: written, evaluations: system.evaluations(), unsolved }
-    }
-}
-
-/// A run that can be left at any step and continued later with the same bits. Its force evaluations
-/// are counted, which costs nothing.
+/// A method known by its type begins one with [`Run::start`], a method known at run time with
+/// [`AnyMethod::begin`](crate::AnyMethod::begin). Steps are taken in blocks, so that a step costs no
+/// more for that the method is not known when the program is compiled.
 ///
 /// ```
 /// use core::num::NonZeroU64;
@@ -154,46 +29,192 @@ where
 /// let grid = Grid::new(0.01, 1000)?;
 /// let mut run = Run::start(&driven, &Rk4, start, &grid);
 /// run.advance(300, NonZeroU64::MIN, &mut ())?;
-/// let mut later = Run::resume(&driven, &Rk4, &grid, *run.checkpoint());
-/// let end = later.advance(1000, NonZeroU64::MIN, &mut ())?;
+/// assert_eq!((run.steps(), run.time(), run.evaluations()), (300, 3.0, 1200));
+/// let end = run.advance(1000, NonZeroU64::MIN, &mut ())?;
 /// assert_eq!(end, integrate(&driven, &Rk4, start, &grid, &mut ()));
-/// assert_eq!(run.evaluations() + later.evaluations(), 4 * 1000);
 /// # Ok::<(), pendula::Error>(())
 /// ```
-#[derive(Clone, Copy)]
-pub struct Run<'m, S: System> {
-    system: S,
-    method: &'m dyn Steps<S>,
+///
+/// As an iterator it takes one step at a time.
+///
+/// ```
+/// # use pendula::integrate::Run;
+/// # use pendula::{Error, Grid, Pendulum, Phase, Rk4};
+/// let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+/// let run = Run::start(&pendulum, &Rk4, start, &Grid::new(0.01, 1000)?);
+/// let states: Vec<Phase> = run.take(3).collect::<Result<_, Error>>()?;
+/// assert_eq!(states.len(), 3);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+pub struct Run<'m, Z> {
+    stepper: Box<dyn Stepper<Z> + 'm>,
     grid: Grid,
-    at: Checkpoint,
+    /// The steps taken, and the state after them.
+    steps: u64,
+    z: Z,
+    /// Whether the step after these has no solution.
+    is_over: bool,
+}
+
+/// Takes the steps of a run, and keeps what the method carries.
+pub(crate) trait Stepper<Z> {
+    /// Takes `every` steps for each of the slots of `states`, and writes the state after them into
+    /// it. Between these states nothing is computed that only an observer reads.
+    fn take(&mut self, every: NonZeroU64, states: &mut [Z]) -> Taken;
+
+    /// Goes back to where the last [`take`](Self::take) began, and takes this number of steps from
+    /// there.
+    fn take_only(&mut self, steps: u64);
+
+    /// The state after a step that has no solution: every component is NaN.
+    fn nothing(&self) -> Z;
+
+    /// Force evaluations, counted, one before the first step included.
+    fn evaluations(&self) -> u64;
+}
+
+/// What [`Stepper::take`] has done.
+pub(crate) struct Taken {
+    /// Slots that were written: all, or those before a step that has no solution.
+    pub states: usize,
+    /// The number of the step that has no solution, and why.
+    pub unsolved: Option<(u64, Unsolved)>,
+}
+
+/// The [`Stepper`] of a method that is known by its type.
+pub(crate) struct Typed<'m, S: System, M: Method<Counting<S>>> {
+    system: S,
+    method: &'m M,
+    h: f64,
+    now: Standing<S::State, M::Carry>,
+    before: Standing<S::State, M::Carry>,
+}
+
+/// Where a run stands.
+#[derive(Clone, Copy)]
+struct Standing<Z, C> {
+    steps: u64,
+    z: Z,
+    carry: C,
     evaluations: u64,
 }
 
+impl<'m, S: System + Clone, M: Method<Counting<S>>> Typed<'m, S, M> {
+    /// After `steps` steps `h` (s) that have led to `z`. They may be negative, which those of a
+    /// [`Grid`] cannot be.
+    pub(crate) fn new(system: &S, method: &'m M, steps: u64, h: f64, z: S::State) -> Self {
+        let counting = Counting::new(system.clone());
+        let carry = method.start(&counting, steps as f64 * h, h, z);
+        let now = Standing { steps, z, carry, evaluations: counting.evaluations() };
+        Self { system: system.clone(), method, h, now, before: now }
+    }
+
+    /// The state after the steps taken.
+    pub(crate) fn state(&self) -> S::State {
+        self.now.z
+    }
+}
+
+impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
+    fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
+        self.before = self.now;
+        // Copies, which the compiler keeps in registers.
+        let system = Counting::new(self.system.clone());
+        let (method, h) = (self.method, self.h);
+        let Standing { mut steps, mut z, mut carry, evaluations } = self.now;
+        let mut written = 0;
+        let take = || {
+            for state in states {
+                // Of the states before the last nobody sees anything.
+                for _ in 1..every.get() {
+                    z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                    steps += 1;
+                }
+                z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                steps += 1;
+                *state = z;
+                written += 1;
+            }
+            Ok(())
+        };
+        let unsolved = take().err().map(|why| (steps, why));
+        let evaluations = evaluations + system.evaluations();
+        self.now = Standing { steps, z, carry, evaluations };
+        Taken { states: written, unsolved }
+    }
+
+    fn take_only(&mut self, steps: u64) {
+        self.now = self.before;
+        if let Some(steps) = NonZeroU64::new(steps) {
+            let mut last = [self.now.z];
+            self.take(steps, &mut last);
+        }
+    }
+
+    fn nothing(&self) -> S::State {
+        let Standing { steps, z, mut carry, .. } = self.now;
+        let system = Counting::new(self.system.clone());
+        self.method.step(&system, steps as f64 * self.h, self.h, z, &mut carry)
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.now.evaluations
+    }
+}
+
 /// States that are computed before the observer sees them: enough to make the call of
-/// [`Steps::take`] cheap, few enough to stay in the cache.
-const BLOCK: usize = 64;
+/// [`Stepper::take`] cheap, few enough to stay in the cache.
+pub(crate) const BLOCK: usize = 64;
 
-impl<'m, S: System<State: Numbers> + Copy> Run<'m, S> {
+impl<'m, Z: Copy> Run<'m, Z> {
     /// A run of `method` on `system` from `start` along `grid`, before its first step.
-    pub fn start(system: &S, method: &'m dyn Steps<S>, start: S::State, grid: &Grid) -> Self {
-        let (at, evaluations) = method.start(system, 0, grid.step(), start);
-        Self { system: *system, method, grid: *grid, at, evaluations }
+    pub fn start<S, M>(system: &S, method: &'m M, start: Z, grid: &Grid) -> Self
+    where
+        S: System<State = Z> + Clone + 'm,
+        M: Method<Counting<S>>,
+    {
+        Self::start_at(system, method, start, grid, 0)
     }
 
-    /// The run of `method` on `system` along `grid` that was left at the checkpoint `at`.
-    pub const fn resume(system: &S, method: &'m dyn Steps<S>, grid: &Grid, at: Checkpoint) -> Self {
-        Self { system: *system, method, grid: *grid, at, evaluations: 0 }
+    /// A run from the state `z` after `steps` steps along `grid`: to go on where another run has
+    /// ended, or to begin at another time than 0. Where the method carries more than its state the
+    /// last bits differ from those of one run.
+    pub fn start_at<S, M>(system: &S, method: &'m M, z: Z, grid: &Grid, steps: u64) -> Self
+    where
+        S: System<State = Z> + Clone + 'm,
+        M: Method<Counting<S>>,
+    {
+        Self::with(Box::new(Typed::new(system, method, steps, grid.step(), z)), z, grid, steps)
     }
 
-    /// Where the run stands.
-    pub const fn checkpoint(&self) -> &Checkpoint {
-        &self.at
+    /// The run that the `stepper` takes from the state `z` after `steps` steps.
+    pub(crate) const fn with(
+        stepper: Box<dyn Stepper<Z> + 'm>,
+        z: Z,
+        grid: &Grid,
+        steps: u64,
+    ) -> Self {
+        Self { stepper, grid: *grid, steps, z, is_over: false }
     }
 
-    /// The force evaluations that this part of the run has cost, one before the first step
-    /// included.
-    pub const fn evaluations(&self) -> u64 {
-        self.evaluations
+    /// The state after the steps taken.
+    pub const fn state(&self) -> Z {
+        self.z
+    }
+
+    /// The number of steps taken.
+    pub const fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The time after the steps taken (s).
+    pub const fn time(&self) -> f64 {
+        self.grid.time(self.steps)
+    }
+
+    /// The force evaluations so far, one before the first step included.
+    pub fn evaluations(&self) -> u64 {
+        self.stepper.evaluations()
     }
 
     /// Takes the steps up to `until` and passes every k-th state of the whole run to `observer`,
@@ -203,53 +224,95 @@ impl<'m, S: System<State: Numbers> + Copy> Run<'m, S> {
     /// # Errors
     /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge. The
     /// observer has seen the states before it.
-    pub fn advance<O: Observer<S::State> + ?Sized>(
+    pub fn advance<O: Observer<Z> + ?Sized>(
         &mut self,
         until: u64,
         every: NonZeroU64,
         observer: &mut O,
-    ) -> Result<S::State, Error> {
+    ) -> Result<Z, Error> {
         let until = until.min(self.grid.steps());
-        let (mut z, ()) = self.at.read();
-        let mut block = [z; BLOCK];
-        while self.at.steps() < until && !observer.is_satisfied() {
-            let (before, n) = (*self, self.at.steps());
+        let mut block = [self.z; BLOCK];
+        while self.steps < until && !observer.is_satisfied() {
+            let n = self.steps;
             // To the next state that is observed; from there on, many at once.
             let gap = NonZeroU64::new((every.get() - n % every).min(until - n)).unwrap_or(every);
             let states = if gap == every { (until - n) / every } else { 1 };
             let states = &mut block[..states.min(BLOCK as u64) as usize];
             let is_observed = (n + gap.get()) % every == 0;
-            let Taken { states: taken, unsolved, .. } = self.take(gap, states);
-            for (i, &state) in (1..).zip(&states[..taken]) {
-                z = state;
+            let taken = self.stepper.take(gap, states);
+            for &z in &states[..taken.states] {
+                self.z = z;
+                self.steps += gap.get();
                 if !is_observed {
                     continue;
                 }
-                let at = n + i * gap.get();
-                observer.observe(at, self.grid.time(at), z);
+                observer.observe(self.steps, self.time(), z);
                 if observer.is_satisfied() {
-                    if at < self.at.steps() {
-                        // It is satisfied in the midst of the block: back, and here again.
-                        *self = before;
-                        self.take(
-                            gap.saturating_mul(NonZeroU64::MIN.saturating_add(i - 1)),
-                            &mut block[..1],
-                        );
+                    // It may be satisfied in the midst of the block.
+                    if self.steps < n + states.len() as u64 * gap.get() {
+                        self.stepper.take_only(self.steps - n);
                     }
                     return Ok(z);
                 }
             }
-            if let Some(Unsolved { sweeps, change }) = unsolved {
-                let (n, step) = (self.at.steps(), self.grid.step());
-                return Err(Error::NotSolved { n, step, sweeps, change });
+            if let Some((n, Unsolved { sweeps, change })) = taken.unsolved {
+                self.is_over = true;
+                return Err(Error::NotSolved { n, step: self.grid.step(), sweeps, change });
             }
         }
-        Ok(z)
+        Ok(self.z)
     }
 
-    fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
-        let taken = self.method.take(&self.system, self.grid.step(), &mut self.at, every, states);
-        self.evaluations += taken.evaluations;
-        taken
+    /// [`advance`](Self::advance) to the end of the grid, with the state at which it stands
+    /// observed too.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn try_finish<O: Observer<Z> + ?Sized>(
+        mut self,
+        every: NonZeroU64,
+        observer: &mut O,
+    ) -> Result<Z, Error> {
+        observer.observe(self.steps, self.time(), self.z);
+        self.advance(self.grid.steps(), every, observer)
+    }
+
+    /// [`try_finish`](Self::try_finish), but after a step that has no solution every component of
+    /// the states is NaN.
+    pub fn finish<O: Observer<Z> + ?Sized>(mut self, every: NonZeroU64, observer: &mut O) -> Z {
+        observer.observe(self.steps, self.time(), self.z);
+        let steps = self.grid.steps();
+        self.advance(steps, every, observer).unwrap_or_else(|_| {
+            let nothing = self.stepper.nothing();
+            let mut n = self.steps / every;
+            while n < steps / every && !observer.is_satisfied() {
+                n += 1;
+                observer.observe(n * every.get(), self.grid.time(n * every.get()), nothing);
+            }
+            nothing
+        })
+    }
+}
+
+/// One step at a time, until the end of the grid or the first step that has no solution.
+impl<Z: Copy> Iterator for Run<'_, Z> {
+    type Item = Result<Z, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over || self.steps >= self.grid.steps() {
+            return None;
+        }
+        Some(self.advance(self.steps + 1, NonZeroU64::MIN, &mut ()))
+    }
+}
+
+impl<Z: fmt::Debug> fmt::Debug for Run<'_, Z> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { grid, steps, z, .. } = self;
+        f.debug_struct("Run")
+            .field("grid", grid)
+            .field("steps", steps)
+            .field("state", z)
+            .finish_non_exhaustive()
     }
 }

@@ -89,13 +89,22 @@ impl<S> Counting<S> {
         self.evaluations.get()
     }
 
+    /// What `work` returns, whose evaluations are not counted: those of a measurement, which the
+    /// method itself does without.
+    pub fn uncounted<T>(&self, work: impl FnOnce(&Self) -> T) -> T {
+        let before = self.evaluations.get();
+        let result = work(self);
+        self.evaluations.set(before);
+        result
+    }
+
     /// Counts `evaluations` more.
     pub(crate) fn count(&self, evaluations: u64) {
         self.evaluations.set(self.evaluations.get() + evaluations);
     }
 
     /// The system itself, whose evaluations are not counted.
-    pub(crate) const fn system(&self) -> &S {
+    pub const fn system(&self) -> &S {
         &self.system
     }
 }

@@ -52,6 +52,4 @@ mod stranger;
 pub use judge::{Claims, Evidence, Finding, Identity, Report, Verdict, judge, try_judge};
 #[doc(hidden)]
 pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
-#[doc(hidden)]
-pub use stranger::{ByPointer, Listed};
-pub use stranger::{Drive, Fault, FromFn, Reply, Request, Stranger};
+pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};

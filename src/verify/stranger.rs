@@ -2,9 +2,10 @@
 
 use core::num::NonZeroU64;
 
-use crate::integrate::Steps;
-use crate::systems::{Damped, Driven, Phase, System};
-use crate::{AnyMethod, Grid, Pendulum};
+use crate::integrate::{Method, Stepper, Typed};
+use crate::registry::ByName;
+use crate::systems::{Counting, Damped, Driven, Phase, System};
+use crate::{AnyMethod, Grid, Pendulum, method_named};
 
 /// A cosine drive, θ̈ + (g/L) sin θ = A cos Ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,48 +126,36 @@ pub trait Stranger {
 
 /// Every method for the pendulum and the driven pendulum.
 #[diagnostic::do_not_recommend]
-impl<M: Steps<Pendulum> + Steps<Driven>> Stranger for M {
-    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
-        ByPointer { pendulum: self, driven: self }.answer(request)
-    }
-}
-
-/// A method that is known by its steps alone, on the pendulum and on the driven pendulum.
-#[derive(Clone, Copy)]
-pub struct ByPointer<'a> {
-    /// On the pendulum.
-    pub pendulum: &'a dyn Steps<Pendulum>,
-    /// On the driven pendulum.
-    pub driven: &'a dyn Steps<Driven>,
-}
-
-impl Stranger for ByPointer<'_> {
+impl<M: Method<Counting<Pendulum>> + Method<Counting<Driven>>> Stranger for M {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         request.check()?;
         let pendulum = pendulum(request)?;
         let Some(drive) = request.drive else {
-            let (states, evaluations) = states(self.pendulum, &pendulum, request);
+            let (states, evaluations) = states(self, &pendulum, request);
             return Ok(Reply { states, evaluations: Some(evaluations) });
         };
-        let (states, _) = states(self.driven, &driven(pendulum, drive)?, request);
+        let (states, _) = states(self, &driven(pendulum, drive)?, request);
         Ok(Reply { states, evaluations: None })
     }
 }
 
-/// The states that are asked for, and the force evaluations. The steps may be negative, which a
-/// [`Grid`] cannot be. After a step that has no solution there are no numbers.
-fn states<S: System<State = Phase>>(
-    method: &dyn Steps<S>,
-    system: &S,
-    request: &Request,
-) -> (Vec<Phase>, u64) {
-    let (mut at, before) = method.start(system, 0, request.step, request.start);
-    let nothing = Phase { theta: f64::NAN, omega: f64::NAN };
-    let mut states = vec![nothing; request.states() as usize];
-    let Some(every) = NonZeroU64::new(request.every) else { return (states, before) };
-    let taken = method.take(system, request.step, &mut at, every, &mut states);
-    (states, before + taken.evaluations)
+/// The states that are asked for, and the force evaluations. The steps may be negative, which those
+/// of a [`Grid`] cannot be. After a step that has no solution there are no numbers.
+fn states<S, M>(method: &M, system: &S, request: &Request) -> (Vec<Phase>, u64)
+where
+    S: System<State = Phase> + Clone,
+    M: Method<Counting<S>>,
+{
+    let mut run = Typed::new(system, method, 0, request.step, request.start);
+    let mut states = vec![NOTHING; request.states() as usize];
+    if let Some(every) = NonZeroU64::new(request.every) {
+        run.take(every, &mut states);
+    }
+    (states, run.evaluations())
 }
+
+/// After a step that has no solution.
+const NOTHING: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
 
 fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
     Pendulum::new(request.g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
@@ -180,33 +169,62 @@ pub(crate) fn driven(pendulum: Pendulum, drive: Drive) -> Result<Driven, Fault> 
     driven.map_err(|error| Fault::Refused(error.to_string()))
 }
 
-/// A method that is known by its entry alone, as those of [`METHODS`](crate::METHODS) are: in the
-/// fast loop, without a drive. For negative steps the velocity is reversed on the way.
+/// A method that is chosen at run time. For negative steps the velocity is reversed on the way: a
+/// pendulum's motion back in time is its motion with the velocity reversed, and so is that of one
+/// driven by a cosine.
 #[derive(Clone, Copy, Debug)]
-pub struct Listed<'a>(pub &'a dyn AnyMethod);
+pub struct Chosen<'a> {
+    /// On the pendulum.
+    pub pendulum: &'a dyn AnyMethod,
+    /// On the driven pendulum, if it is a method for that too.
+    pub driven: Option<&'a dyn AnyMethod<Driven>>,
+}
 
-impl Stranger for Listed<'_> {
+impl<'a> Chosen<'a> {
+    /// The method that is known on the pendulum alone.
+    pub const fn new(pendulum: &'a dyn AnyMethod) -> Self {
+        Self { pendulum, driven: None }
+    }
+
+    /// The method of that [name](crate::MethodInfo::name).
+    pub fn named(name: &str) -> Option<Chosen<'static>> {
+        Some(Chosen { pendulum: method_named(name)?, driven: Driven::method_named(name) })
+    }
+}
+
+impl Stranger for Chosen<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
-        if request.drive.is_some() {
-            return Err(Fault::Unsupported);
-        }
         request.check()?;
         let pendulum = pendulum(request)?;
-        let sign = request.step.signum();
-        let along = |z: Phase| Phase { omega: sign * z.omega, ..z };
-        let grid = Grid::new(request.step.abs(), request.steps)
-            .map_err(|error| Fault::Refused(error.to_string()))?;
-        let mut states = Vec::with_capacity(request.states() as usize);
-        let mut seen = 0;
-        self.0.run(&pendulum, along(request.start), &grid, &mut |_: u64, _: f64, z: Phase| {
-            if seen > 0 && seen % request.every == 0 {
-                states.push(along(z));
-            }
-            seen += 1;
-        });
-        let evaluations = self.0.count_evaluations(&pendulum, along(request.start), &grid);
-        Ok(Reply { states, evaluations: Some(evaluations) })
+        let Some(drive) = request.drive else {
+            let (states, evaluations) = chosen_states(self.pendulum, &pendulum, request)?;
+            return Ok(Reply { states, evaluations: Some(evaluations) });
+        };
+        let method = self.driven.ok_or(Fault::Unsupported)?;
+        let (states, _) = chosen_states(method, &driven(pendulum, drive)?, request)?;
+        Ok(Reply { states, evaluations: None })
     }
+}
+
+/// The states that are asked for, and the force evaluations.
+fn chosen_states<S: System<State = Phase> + 'static>(
+    method: &dyn AnyMethod<S>,
+    system: &S,
+    request: &Request,
+) -> Result<(Vec<Phase>, u64), Fault> {
+    let sign = request.step.signum();
+    let along = |z: Phase| Phase { omega: sign * z.omega, ..z };
+    let grid = Grid::new(request.step.abs(), request.steps)
+        .map_err(|error| Fault::Refused(error.to_string()))?;
+    let every = NonZeroU64::new(request.every).unwrap_or(NonZeroU64::MIN);
+    let mut states = Vec::with_capacity(request.states() as usize);
+    let mut run = method.begin(system, along(request.start), &grid);
+    let mut keep = |_: u64, _: f64, z: Phase| states.push(along(z));
+    // To the end of its own grid: a run may be wrong in its length.
+    if run.advance(u64::MAX, every, &mut keep).is_err() {
+        states.resize(request.states() as usize, NOTHING);
+    }
+    Ok((states, run.evaluations()))
 }
 
 /// A stranger that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns the

@@ -1,21 +1,18 @@
 //! Systems beyond the pendulum, steps that vary, and the dynamics of a driven pendulum.
 
 use std::f64::consts::PI;
-use std::num::NonZeroU64;
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
-use pendula::fast::{Instructions, first_flips_with};
-use pendula::methods::table::RK4_IN_LANES;
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
-use pendula::systems::{Ellipse, Joint, Numbers, PlanePhase};
+use pendula::systems::{DoublePhase, Ellipse, Joint, Numbers, PlanePhase};
 use pendula::{
-    Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Pendulum, Phase,
-    Rk4, Separable, Shaken, StormerVerlet, System, integrate,
+    Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Observer,
+    Pendulum, Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 
-use crate::{Hash, common};
+use crate::Hash;
 
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))
@@ -79,8 +76,7 @@ fn double_pendulum() -> Result<u64, Error> {
     Ok(hash.value())
 }
 
-/// When a hundred of them first turn over, with the best instructions that there are and with those
-/// that every processor of its kind has.
+/// After how many steps a hundred of them first turn over.
 fn double_pendulums() -> Result<u64, Error> {
     let double = DoublePendulum::of_equals(9.81, Joint { length: 1.0, mass: 1.0 })?;
     let start = |i: u32| {
@@ -89,14 +85,28 @@ fn double_pendulums() -> Result<u64, Error> {
     };
     let starts = (0..100).map(start).collect::<Result<Vec<_>, _>>()?;
     let grid = Grid::new(0.01, 1_000)?;
-    let mut all = [vec![None; starts.len()], vec![None; starts.len()]];
-    first_flips_with(Instructions::Best, &double, RK4_IN_LANES, &starts, &grid, &mut all[0]);
-    first_flips_with(Instructions::Baseline, &double, RK4_IN_LANES, &starts, &grid, &mut all[1]);
-    Ok(common(&all.map(|flips| {
-        let mut hash = Hash::new();
-        flips.iter().for_each(|flip| hash.word(flip.map_or(0, NonZeroU64::get)));
-        hash.value()
-    })))
+    let mut hash = Hash::new();
+    for start in starts {
+        let mut flip = FirstFlip(0);
+        integrate(&double, &Rk4, start, &grid, &mut flip);
+        hash.word(flip.0);
+    }
+    Ok(hash.value())
+}
+
+/// The number of the first step after which a rod is past the upward vertical; 0 for none.
+struct FirstFlip(u64);
+
+impl Observer<DoublePhase> for FirstFlip {
+    fn observe(&mut self, n: u64, _t: f64, z: DoublePhase) {
+        if z.theta1.abs() > PI || z.theta2.abs() > PI {
+            self.0 = n;
+        }
+    }
+
+    fn is_satisfied(&self) -> bool {
+        self.0 > 0
+    }
 }
 
 fn kepler() -> Result<u64, Error> {

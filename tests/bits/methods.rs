@@ -2,12 +2,12 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{InLanes, Instructions};
-use pendula::integrate::{Run, Steps};
-use pendula::methods::table::{Listed, in_lanes};
+use pendula::fast::Instructions;
+use pendula::registry::{ByName, in_seconds};
 use pendula::systems::Numbers;
 use pendula::{
-    Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, System,
+    AnyMethod, Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase,
+    System, method_named,
 };
 
 use crate::{Hash, Line, common};
@@ -30,7 +30,7 @@ fn hash<Z: Numbers>(
 /// The states of a hundred pendulums, each with its own g and L, after every seventh of 300
 /// steps and at the end; in blocks of lanes of which the last is not full. Two starts cannot be
 /// computed in lanes.
-fn of_ensemble(method: &dyn InLanes, instructions: Instructions) -> u64 {
+fn of_ensemble(method: &dyn AnyMethod, instructions: Instructions) -> u64 {
     let pendulum = |j| Pendulum::new(9.81 + 0.01 * j, 1.0 + 0.005 * j, 1.0);
     let start = |j| Phase { theta: -3.3 + 0.066 * j, omega: 0.1 * j - 4.0 };
     let numbers = || (0..100).map(f64::from);
@@ -58,7 +58,7 @@ fn of_ensemble(method: &dyn InLanes, instructions: Instructions) -> u64 {
 
 /// The hash of the ensemble, with the best instructions that there are and with those that every
 /// processor of its kind has, in whatever number of threads.
-fn of_lanes(method: &dyn InLanes) -> u64 {
+fn of_lanes(method: &dyn AnyMethod) -> u64 {
     let [best, baseline] =
         [Instructions::Best, Instructions::Baseline].map(|with| of_ensemble(method, with));
     let mut hashes = vec![best, baseline];
@@ -67,7 +67,7 @@ fn of_lanes(method: &dyn InLanes) -> u64 {
 }
 
 #[cfg(feature = "threads")]
-fn in_threads(method: &dyn InLanes) -> impl Iterator<Item = u64> {
+fn in_threads(method: &dyn AnyMethod) -> impl Iterator<Item = u64> {
     [1, 2, 7].into_iter().map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.expect("threads").install(|| of_ensemble(method, Instructions::Best))
@@ -75,23 +75,20 @@ fn in_threads(method: &dyn InLanes) -> impl Iterator<Item = u64> {
 }
 
 #[cfg(not(feature = "threads"))]
-fn in_threads(_method: &dyn InLanes) -> impl Iterator<Item = u64> {
+fn in_threads(_method: &dyn AnyMethod) -> impl Iterator<Item = u64> {
     std::iter::empty()
 }
 
 /// Passes every state of a run of `method` on `system` to `watch`, the start included.
-fn run<S>(
+fn run<S: System + 'static>(
     system: &S,
-    method: &dyn Steps<S>,
+    method: &dyn AnyMethod<S>,
     start: S::State,
     grid: &Grid,
     watch: &mut dyn Observer<S::State>,
-) where
-    S: System<State: Numbers> + Copy,
-{
-    watch.observe(0, 0.0, start);
-    let end = Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, watch);
-    end.expect("steps short enough for every method");
+) {
+    let end = method.try_run(system, start, grid, watch);
+    assert!(end.is_ok(), "steps short enough for every method");
 }
 
 /// A line for each method and each of the loops; in lanes for some of each family.
@@ -109,14 +106,14 @@ pub fn lines() -> Vec<Line> {
                 method.run(pendulum, start, grid, &mut watch);
             }),
         );
-        let in_seconds = method.steps().expect("a method of the library has steps");
+        let by_seconds = in_seconds(name).expect("a method of the library");
         line(
             "in seconds",
             hash(steps, |pendulum, start, grid, mut watch| {
-                run(pendulum, in_seconds, start, grid, &mut watch);
+                run(pendulum, by_seconds, start, grid, &mut watch);
             }),
         );
-        let compensated = Compensated::<Pendulum>::steps(name).expect("every method");
+        let compensated = Compensated::<Pendulum>::method_named(name).expect("every method");
         line(
             "compensated",
             hash(5_000, |pendulum, start, grid, mut watch| {
@@ -135,7 +132,7 @@ pub fn lines() -> Vec<Line> {
         "gauss-4",
         "deuflhard",
     ] {
-        let method = in_lanes(name).expect("a method of the library");
+        let method = method_named(name).expect("a method of the library");
         lines.push((format!("{name} in lanes"), of_lanes(method)));
     }
     lines

@@ -1,4 +1,4 @@
-//! Shared by the tests: a function as a test for each method, its steps behind a pointer, and what
+//! Shared by the tests: a function as a test for each method, the method on other systems, and what
 //! several files need.
 //!
 //! A test takes a method as `&dyn AnyMethod`, and looks up what else it needs of it by its name, so
@@ -6,13 +6,8 @@
 //! tests again.
 #![allow(dead_code, unused_macros, reason = "not every program of tests needs all")]
 
-use std::num::NonZeroU64;
-
-use pendula::fast::{InLanes, PendulumSteps};
-use pendula::integrate::{Run, Steps};
-use pendula::methods::table::{Listed, in_lanes};
-use pendula::systems::Numbers;
-use pendula::{AnyMethod, Error, Grid, Observer, Pendulum, Phase, System, method_named};
+use pendula::registry::{self, ByName};
+use pendula::{AnyMethod, Observer, Pendulum, Phase, method_named};
 
 /// Makes of the function `$test` a test for each case, of whatever types its arguments are, in a
 /// module of the same name: `the_function::the_case`.
@@ -122,31 +117,14 @@ pub fn method(module: &str) -> &'static dyn AnyMethod {
     method_named(&module.replace('_', "-")).expect("a file has the name of its method")
 }
 
-/// The steps of the method on the pendulum.
-pub fn steps(method: &dyn AnyMethod) -> &dyn PendulumSteps {
-    method.steps().expect("a method of the library")
+/// The method on the pendulum with the time in seconds.
+pub fn in_seconds(method: &dyn AnyMethod) -> &'static dyn AnyMethod {
+    registry::in_seconds(method.info().name).expect("a method of the library")
 }
 
-/// The steps of the method on another system.
-pub fn steps_on<S: Listed>(method: &dyn AnyMethod) -> &'static dyn Steps<S> {
-    S::steps(method.info().name).expect("a method that suits the system")
-}
-
-/// The steps of the method in lanes.
-pub fn lanes(method: &dyn AnyMethod) -> &'static dyn InLanes {
-    in_lanes(method.info().name).expect("a method of the library")
-}
-
-/// [`pendula::try_integrate`] with the method behind a pointer.
-pub fn try_integrate<S: System<State: Numbers> + Copy>(
-    system: &S,
-    method: &dyn Steps<S>,
-    start: S::State,
-    grid: &Grid,
-    observer: &mut dyn Observer<S::State>,
-) -> Result<S::State, Error> {
-    observer.observe(0, 0.0, start);
-    Run::start(system, method, start, grid).advance(grid.steps(), NonZeroU64::MIN, observer)
+/// The method on another system.
+pub fn on<S: ByName>(method: &dyn AnyMethod) -> &'static dyn AnyMethod<S> {
+    S::method_named(method.info().name).expect("a method that suits the system")
 }
 
 /// The generator SplitMix64 (Steele, Lea, Flood, *OOPSLA* 2014).

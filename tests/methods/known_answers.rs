@@ -3,13 +3,12 @@
 
 use std::num::NonZeroU64;
 
-use pendula::integrate::Steps;
 use pendula::systems::Damped;
 use pendula::verify::known_answers::{self, Answer, Known, Scene};
-use pendula::verify::{Listed, Request, Stranger};
-use pendula::{AnyMethod, Driven, Pendulum, Phase, System};
+use pendula::verify::{Chosen, Request, Stranger};
+use pendula::{AnyMethod, Driven, Grid, Pendulum, Phase};
 
-use crate::common::{steps, steps_on};
+use crate::common::{in_seconds, on};
 
 /// The entry of the file for a method of the library.
 fn known(method: &dyn AnyMethod) -> &'static Known {
@@ -43,39 +42,21 @@ fn pendulum(scene: &Scene) -> Pendulum {
     Pendulum::new(scene.g_over_l, 1.0, 1.0).unwrap()
 }
 
-/// The end of the steps of an answer. The time of a scene is a multiple of its step.
-fn end<S: System<State = Phase>>(method: &dyn Steps<S>, system: &S, answer: &Answer) -> Phase {
-    let Answer { scene, steps, .. } = answer;
-    let before = scene.time / scene.step;
-    assert_eq!(before.fract(), 0.0, "a grid begins at 0");
-    let (mut at, _) = method.start(system, before as u64, scene.step, scene.start);
-    let mut end = [Phase::default()];
-    let all = NonZeroU64::new(*steps).unwrap();
-    method.take(system, scene.step, &mut at, all, &mut end);
-    end[0]
-}
-
-/// Swinging, over the top, backwards and in large steps.
+/// Swinging, over the top, backwards and in large steps: in seconds and in steps.
 ///
-/// Catches: a coefficient of any method wrong in its twelfth digit.
+/// Catches: a coefficient of any method wrong in its twelfth digit; a fast loop that computes
+/// something else than the plain one, or forgets a sign on the way back.
 fn steps_lead_where_they_should(method: &dyn AnyMethod) {
-    assert_known(method, false, |answer| {
-        end::<Pendulum>(steps(method), &pendulum(answer.scene), answer)
-    });
+    for method in [method, in_seconds(method)] {
+        assert_known(method, false, |answer| {
+            let Scene { g_over_l, start, step, .. } = *answer.scene;
+            let steps = answer.steps;
+            let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
+            Chosen::new(method).answer(&request).unwrap().states[0]
+        });
+    }
 }
 each_method!(steps_lead_where_they_should);
-
-/// Catches: a fast loop that computes something else than the plain one, or forgets a sign on the
-/// way back.
-fn fast_steps_lead_where_they_should(method: &dyn AnyMethod) {
-    assert_known(method, false, |answer| {
-        let Scene { g_over_l, start, step, .. } = *answer.scene;
-        let steps = answer.steps;
-        let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
-        Listed(method).answer(&request).unwrap().states[0]
-    });
-}
-each_method!(fast_steps_lead_where_they_should);
 
 /// From t = 0 and later.
 ///
@@ -87,7 +68,13 @@ fn driven_steps_lead_where_they_should(method: &dyn AnyMethod) {
         let strength = drive.amplitude / pendulum.frequency_squared();
         let undamped = Damped::new(pendulum, 0.0).unwrap();
         let driven = Driven::new(undamped, strength, drive.frequency).unwrap();
-        end(steps_on::<Driven>(method), &driven, answer)
+        let Scene { start, step, time, .. } = *answer.scene;
+        let before = time / step;
+        assert_eq!(before.fract(), 0.0, "a grid begins at 0");
+        let last = before as u64 + answer.steps;
+        let grid = Grid::new(step, last).unwrap();
+        let mut run = on(method).begin_at(&driven, start, &grid, before as u64);
+        run.advance(last, NonZeroU64::MAX, &mut ()).unwrap()
     });
 }
 each_general_method!(driven_steps_lead_where_they_should);

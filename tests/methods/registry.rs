@@ -3,11 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use pendula::methods::Rk4;
-use pendula::{
-    AnyMethod, Grid, Info, METHODS, MethodInfo, Observer, Pendulum, Phase, integrate_fast,
-    method_named,
-};
+use pendula::registry::InSteps;
+use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, StormerVerlet, method_named};
 
 /// Catches: a method whose file exists but which is not on the list, so that no test, table or page
 /// runs it.
@@ -79,31 +76,6 @@ fn the_documentation_lists_what_the_entries_say() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), table(), "{} is stale", path.display());
 }
 
-/// A method that relies on the default methods of [`AnyMethod`].
-struct Plain;
-
-impl Info for Plain {
-    fn info(&self) -> MethodInfo {
-        Rk4.info()
-    }
-}
-
-impl AnyMethod for Plain {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        integrate_fast(pendulum, &Rk4, start, grid, observer)
-    }
-
-    fn count_evaluations(&self, _: &Pendulum, _: Phase, grid: &Grid) -> u64 {
-        4 * grid.steps()
-    }
-}
-
 const STARTS: [Phase; 3] = [
     Phase { theta: 1.0, omega: 0.0 },
     Phase { theta: -2.5, omega: 0.5 },
@@ -116,7 +88,8 @@ const STARTS: [Phase; 3] = [
 #[test]
 fn the_list_runs_what_it_lists() {
     let (pendulum, grid) = (Pendulum::new(9.81, 1.3, 0.7).unwrap(), Grid::new(0.02, 40).unwrap());
-    for method in METHODS.iter().copied().chain([&Plain as &dyn AnyMethod]) {
+    let by_type: [&dyn AnyMethod; 2] = [&StormerVerlet, &InSteps(StormerVerlet)];
+    for method in METHODS.iter().copied().chain(by_type) {
         for start in STARTS {
             let mut last = start;
             let mut seen = 0;

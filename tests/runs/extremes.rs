@@ -9,10 +9,9 @@ use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Monodromy, PeriodicOrbit, Stroboscope, period_doubling, periodic_orbit};
 use pendula::error::MAX_STEPS;
-use pendula::fast::FastRun;
-use pendula::integrate::Checkpoint;
 use pendula::methods::{Dop853, Gauss6, Implicit, Iteration, Rk4};
 use pendula::metrics::EnergyDrift;
+use pendula::registry::InSteps;
 use pendula::{
     AnyMethod, Driven, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, Pendulum,
     Phase, integrate_fast, method_named,
@@ -21,7 +20,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 use rstest::rstest;
 
-use crate::common::{steps, try_integrate};
+use crate::common::in_seconds;
 
 // -------------------------------------------------------------------------------------------------
 // Constructors
@@ -293,7 +292,7 @@ fn a_processor_takes_steps_of_any_length(#[case] name: &str) {
         let pendulum = Pendulum::new(9.81 * scale * scale, 1.0, 1.0).unwrap();
         let start = Phase { theta: 1.0, omega: 0.5 * scale };
         let grid = Grid::new(0.1 / scale, 20).unwrap();
-        let seconds = try_integrate(&pendulum, steps(method), start, &grid, &mut ()).unwrap();
+        let seconds = in_seconds(method).try_run(&pendulum, start, &grid, &mut ()).unwrap();
         let fast = method.run(&pendulum, start, &grid, &mut ());
         [seconds, fast].map(|z| (z.theta, z.omega / scale))
     };
@@ -354,34 +353,31 @@ fn a_count_out_of_range_is_refused() {
 const PAUSES: [u64; 5] = [0, 1, 3, 10, u64::MAX];
 
 /// Catches: a run that goes on behind the end of its grid, or before where it stands; a stride that
-/// overflows; a checkpoint beyond the grid that is run from.
+/// overflows; a run that begins behind the end of its grid, and takes a step.
 #[test]
 fn a_run_may_be_left_and_taken_up_at_any_count() {
     let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
-    let grid = Grid::new(0.1, 10).unwrap();
+    let (grid, rk4) = (Grid::new(0.1, 10).unwrap(), InSteps(Rk4));
     let states: Vec<Phase> = (0..=10)
         .map(|n| integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.1, n).unwrap(), &mut ()))
         .collect();
     for [first, then] in PAUSES.map(|first| PAUSES.map(|then| [first, then])).concat() {
         for every in [1, 3, 11, 1 << 33, u64::MAX].map(|every| NonZeroU64::new(every).unwrap()) {
-            let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
+            let mut run = rk4.begin(&pendulum, start, &grid);
             let mut seen = Vec::new();
             let mut watch = |n: u64, _: f64, z: Phase| seen.push((n, z));
             run.advance(first, every, &mut watch).unwrap();
-            let mut later = FastRun::resume(&pendulum, &Rk4, start, &grid, *run.checkpoint());
-            let end = later.advance(then, every, &mut watch).unwrap();
+            let end = run.advance(then, every, &mut watch).unwrap();
             let last = first.max(then).min(10);
             assert_eq!(end, states[last as usize], "to {first}, then to {then}");
             let expected = (1..=last).filter(|n| n % every.get() == 0);
             assert!(expected.eq(seen.iter().map(|(n, _)| *n)), "{seen:?} by {every}");
             assert!(seen.iter().all(|(n, z)| *z == states[*n as usize]), "{seen:?}");
         }
-        // A checkpoint that has more steps than the grid.
-        let there = FastRun::start(&pendulum, &Rk4, start, &grid);
-        let beyond = Checkpoint::new(first.saturating_add(11), *there.checkpoint().numbers());
-        let mut run = FastRun::resume(&pendulum, &Rk4, start, &grid, beyond);
+        let beyond = first.saturating_add(11);
+        let mut run = rk4.begin_at(&pendulum, start, &grid, beyond);
         assert_eq!(run.advance(then, NonZeroU64::MAX, &mut ()), Ok(start));
-        assert_eq!((run.checkpoint().steps(), run.evaluations()), (beyond.steps(), 0));
+        assert_eq!((run.steps(), run.evaluations(), run.next()), (beyond, 0, None));
     }
 }
 

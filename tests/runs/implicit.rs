@@ -3,11 +3,12 @@
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
 
-use pendula::fast::{PendulumSteps, ScaledPendulum};
+use pendula::fast::ScaledPendulum;
 use pendula::methods::{
     CieslinskiRatkiewicz, DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint,
     ImplicitTableau, Iteration, Rk4, Trapezoidal,
 };
+use pendula::registry::{ByName, InSteps};
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, LinearOscillator};
 use pendula::{
     AnyMethod, Counting, Ensemble, Error, Grid, Hamiltonian, Info, METHODS, Method, Pendulum,
@@ -15,7 +16,7 @@ use pendula::{
 };
 use rstest::rstest;
 
-use crate::common::{Random, bits, lanes, steps, steps_on, try_integrate};
+use crate::common::{Random, bits, in_seconds};
 
 /// Makes of the function `$test` a test for each implicit method with a tableau, and its limit.
 macro_rules! each_implicit {
@@ -80,19 +81,20 @@ fn scene(random: &mut Random, limit: f64) -> (Pendulum, Phase, Grid) {
 ///
 /// Catches: an iteration that stops only where its changes are small in the units of the state, and
 /// loses every tenth run of a fast pendulum.
-fn every_step_within_the_limit_is_solved(method: impl AnyMethod, limit: f64) {
+fn every_step_within_the_limit_is_solved(method: impl Info, limit: f64) {
     assert!((1.0..3.0).contains(&limit), "{limit}");
+    let method = method_named(method.info().name).unwrap();
     let mut random = Random::new(17);
     for n in 0..400 {
         let (pendulum, start, grid) = scene(&mut random, limit);
         let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
-        let end = try_integrate(&pendulum, steps(&method), start, &grid, &mut ());
+        let end = in_seconds(method).try_run(&pendulum, start, &grid, &mut ());
         let finite = end.is_ok_and(|end| end.theta.is_finite() && end.omega.is_finite());
         assert!(finite, "{end:?}, {}", case());
         let fast = method.end(&pendulum, start, &grid);
         assert!(fast.theta.is_finite() && fast.omega.is_finite(), "fast, {}", case());
         let mut ends = [Phase::default()];
-        Ensemble::new(&pendulum, &[start], grid).ends(lanes(&method), &mut ends);
+        Ensemble::new(&pendulum, &[start], grid).ends(method, &mut ends);
         assert_eq!(bits(ends[0]), bits(fast), "in lanes, {}", case());
         assert_eq!(method.try_run(&pendulum, start, &grid, &mut ()), Ok(fast));
     }
@@ -104,8 +106,9 @@ each_implicit!(every_step_within_the_limit_is_solved);
 ///
 /// Catches: a test of the pendulum's alone, or one that asks each component to be right to its own
 /// last digit.
-fn so_is_every_step_of_a_double_pendulum(method: impl AnyMethod, limit: f64) {
+fn so_is_every_step_of_a_double_pendulum(method: impl Info, limit: f64) {
     assert!(limit > 0.05);
+    let method = DoublePendulum::method_named(method.info().name).unwrap();
     let mut random = Random::new(18);
     for n in 0..200 {
         let [gravity, length, mass] =
@@ -117,7 +120,7 @@ fn so_is_every_step_of_a_double_pendulum(method: impl AnyMethod, limit: f64) {
         let start = double.start(theta, [0.0; 2]).unwrap();
         let x = 10_f64.powf(random.between(-5.0, 0.05_f64.log10()));
         let grid = Grid::new(x / (gravity / length).sqrt(), 50).unwrap();
-        let end = try_integrate(&double, steps_on(&method), start, &grid, &mut ());
+        let end = method.try_run(&double, start, &grid, &mut ());
         assert!(
             end.is_ok_and(|end| end.p1.is_finite()),
             "{n}: {double:?} {start:?} {grid:?} {end:?}"
@@ -265,7 +268,7 @@ where
     let mut random = Random::new(19);
     for _ in 0..50 {
         let (pendulum, start, grid) = scene(&mut random, limit);
-        let end = try_integrate(&pendulum, steps(listed), start, &grid, &mut ()).unwrap();
+        let end = in_seconds(listed).try_run(&pendulum, start, &grid, &mut ()).unwrap();
         assert_eq!(bits(integrate(&pendulum, &with, start, &grid, &mut ())), bits(end));
         let end = listed.end(&pendulum, start, &grid);
         assert_eq!(bits(integrate_fast(&pendulum, &with, start, &grid, &mut ())), bits(end));
@@ -355,7 +358,7 @@ fn a_tolerance_is_at_least_zero_and_below_one() {
 #[case::in_longer_steps(CieslinskiRatkiewicz)]
 fn the_discrete_gradient_is_solved_or_says_so<M>(#[case] method: M)
 where
-    M: PendulumSteps + Method<Pendulum> + Method<ScaledPendulum>,
+    M: Method<Pendulum> + Method<ScaledPendulum>,
 {
     let mut random = Random::new(23);
     for n in 0..400 {
@@ -392,7 +395,7 @@ fn steps_of_half_a_turn_are_refused() {
     for x in [1.3, 2.0, 2.9, 3.0, 3.1, PI, 3.2, 4.0, 6.0, TAU, 6.3, 6.5, 9.0, 12.6, 1e9] {
         let tried = pendula::try_integrate(&pendulum, method, start, &grid(x), &mut ());
         assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
-        let tried = AnyMethod::try_run(method, &pendulum, start, &grid(x), &mut ());
+        let tried = InSteps(*method).try_run(&pendulum, start, &grid(x), &mut ());
         assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
         assert!(is_nan(integrate(&pendulum, method, start, &grid(x), &mut ())), "{x}");
         assert!(is_nan(integrate_fast(&pendulum, method, start, &grid(x), &mut ())), "{x}");
@@ -403,7 +406,7 @@ fn steps_of_half_a_turn_are_refused() {
         let mut ends = [Phase::default(); 2];
         let starts = [start; 2];
         let ensemble = Ensemble::with_systems(&pendulums, &starts, grid(x));
-        ensemble.ends(lanes(method), &mut ends);
+        ensemble.ends(method, &mut ends);
         assert!(is_nan(ends[0]) && ends[1].theta.is_finite(), "{x}: {ends:?}");
     }
     for x in [1e-9, 0.5, 1.2] {

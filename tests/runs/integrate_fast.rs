@@ -6,7 +6,7 @@ use pendula::verify::properties::pendulum;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest::rstest;
 
-use crate::common::{First, Random, bits, lanes, steps, try_integrate};
+use crate::common::{First, Random, bits, in_seconds};
 
 /// The states of one run.
 fn states(run: impl FnOnce(&mut dyn Observer<Phase>) -> Phase) -> (Vec<(u64, f64, Phase)>, Phase) {
@@ -29,9 +29,8 @@ fn in_steps_is_in_seconds(method: &dyn AnyMethod) {
         for (theta, omega) in [(1.0, 0.0), (3.0, 0.1), (-0.3, 9.0), (100.0, -7.0), (0.0, 0.0)] {
             let start = Phase { theta, omega };
             let (quick, end) = states(|watch| method.run(&pendulum, start, &grid, watch));
-            let (plain, _) = states(|watch| {
-                try_integrate(&pendulum, steps(method), start, &grid, watch).unwrap()
-            });
+            let (plain, _) =
+                states(|watch| in_seconds(method).try_run(&pendulum, start, &grid, watch).unwrap());
             assert_eq!(quick.len(), plain.len());
             assert_eq!(quick[0], (0, 0.0, start));
             assert_eq!(quick[50].2, end);
@@ -59,7 +58,7 @@ fn no_step_changes_no_bit(method: &dyn AnyMethod) {
         .collect();
     let [none, ten] = [0, 10].map(|steps| Grid::new(0.017, steps).unwrap());
     let mut ends = vec![Phase::default(); starts.len()];
-    Ensemble::new(&pendulum(), &starts, none).ends(lanes(method), &mut ends);
+    Ensemble::new(&pendulum(), &starts, none).ends(method, &mut ends);
     for (start, end) in starts.into_iter().zip(ends) {
         assert_eq!(bits(end), bits(start), "in lanes");
         let end = method.end(&pendulum(), start, &none);

@@ -6,11 +6,11 @@ mod common;
 
 mod adaptive;
 mod anything;
-mod checkpoint;
 mod ensemble;
 mod extremes;
 mod grid;
 mod implicit;
+mod in_parts;
 mod integrate_fast;
 mod separatrix;
 mod series_overflow;

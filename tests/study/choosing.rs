@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use pendula::registry::in_seconds;
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
 use pendula_study::experiments::choosing::{
     Advice, COARSE, Cell, LONGEST, PERIODS, Release, allowed, map, profiles,
@@ -100,7 +101,8 @@ fn the_advice_is_met_in_real_runs() {
             // Steps of an explicit method cost the same: the first of them tell.
             let steps = if info.implicit { grid.steps() } else { grid.steps().min(1000) };
             let some = Grid::new(grid.step(), steps).unwrap();
-            let counted = advice.method.count_evaluations(&Pendulum::PAPER, SCENE.start, &some)
+            let method = in_seconds(info.name).unwrap();
+            let counted = method.count_evaluations(&Pendulum::PAPER, SCENE.start, &some)
                 + info.force_evaluations * (grid.steps() - steps);
             // For an implicit method only a part of the run was counted, and the number of sweeps
             // depends on the phase, which drifts over the run.

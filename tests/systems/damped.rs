@@ -10,7 +10,7 @@ use pendula::{
 };
 use rstest::rstest;
 
-use crate::common::{steps, steps_on, try_integrate};
+use crate::common::{in_seconds, on};
 
 /// g/L = 2.5, L ≠ 1, m ≠ 1, so that a missing factor shows.
 fn damped(beta: f64) -> Damped {
@@ -115,8 +115,8 @@ fn without_damping_it_is_the_pendulum(method: &dyn AnyMethod) {
     let damped = damped(0.0);
     let grid = Grid::new(0.01, 1000).unwrap();
     let start = Phase { theta: 1.0, omega: 0.5 };
-    let end = try_integrate(&damped, steps_on(method), start, &grid, &mut ());
-    assert_eq!(end, try_integrate(damped.pendulum(), steps(method), start, &grid, &mut ()));
+    let end = on(method).try_run(&damped, start, &grid, &mut ());
+    assert_eq!(end, in_seconds(method).try_run(damped.pendulum(), start, &grid, &mut ()));
 }
 each_general_method!(without_damping_it_is_the_pendulum);
 

@@ -10,7 +10,7 @@ use pendula_study::experiments::long_run;
 use pendula_study::theory::{Dimensionless, stormer_verlet};
 use rstest::rstest;
 
-use crate::common::{steps, steps_on, try_integrate};
+use crate::common::{in_seconds, on};
 
 /// A sum plus its carried rounding error is exact to twice the precision.
 ///
@@ -40,8 +40,8 @@ fn ends(
     grid: &Grid,
 ) -> (Phase, CompensatedPhase) {
     let system = Compensated::new(*pendulum);
-    let plain = try_integrate(pendulum, steps(method), start, grid, &mut ());
-    let carried = try_integrate(&system, steps_on(method), start.into(), grid, &mut ());
+    let plain = in_seconds(method).try_run(pendulum, start, grid, &mut ());
+    let carried = on(method).try_run(&system, start.into(), grid, &mut ());
     (plain.unwrap(), carried.unwrap())
 }
 

@@ -3,12 +3,12 @@
 
 use std::cell::Cell;
 
+use pendula::Phase;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::verify::{
-    Claims, Drive, Fault, FromFn, Listed, Reply, Report, Request, Stranger, Verdict, judge,
+    Chosen, Claims, Drive, Fault, FromFn, Reply, Report, Request, Stranger, Verdict, judge,
     try_judge,
 };
-use pendula::{Phase, method_named};
 use rstest::rstest;
 
 use crate::common::Random;
@@ -92,7 +92,7 @@ fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
 /// added; a rung that stands twice on the ladder, with NaN for its slope.
 #[rstest]
 #[case::right(Box::new(StormerVerlet))]
-#[case::right_of_high_order(Box::new(Listed(method_named("taylor-24").unwrap())))]
+#[case::right_of_high_order(Box::new(Chosen::named("taylor-24").unwrap()))]
 #[case::at_rest(of(|theta, omega, _| (theta, omega)))]
 #[case::to_and_fro(of(|theta, omega, k| [(theta, omega), (-theta, -omega)][k as usize % 2]))]
 #[case::huge_to_and_fro(of(|_, _, k| [(1e308, -1e308), (-1e308, 1e308)][k as usize % 2]))]
@@ -325,7 +325,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
     let function = FromFn(|_: f64, theta: f64, omega: f64, _: f64, n: u64| {
         (0..n).map(move |_| (theta, omega))
     });
-    let listed = Listed(method_named("rk4").unwrap());
+    let listed = Chosen::named("rk4").unwrap();
     let entries: [&dyn Stranger; 3] = [&StormerVerlet, &listed, &function];
     let (mut answered, mut refused) = (0, 0);
     for request in extreme_requests() {

@@ -6,14 +6,13 @@ use pendula::internals::{Ladder, Probe, leading_error, shown};
 use pendula::methods::{ForwardEuler, Gauss16, Heun, Rk4, StormerVerlet};
 use pendula::verify::properties::error_constant::leading_local_error;
 use pendula::verify::{
-    ByPointer, Claims, Fault, FromFn, Listed, Reply, Report, Request, Stranger, Verdict, judge,
-    known_answers, sign_of_slopes,
+    Chosen, Claims, Fault, FromFn, Reply, Report, Request, Stranger, Verdict, judge, known_answers,
+    sign_of_slopes,
 };
 use pendula::{AnyMethod, method_named};
 use pendula_zoo::impostor_named;
 use rstest::rstest;
 
-use crate::common::{steps, steps_on};
 use crate::looks::{Driven, Run, rk4, the_drive_at_the_steps_start, told};
 
 /// Asserts that all claims of its entry hold, and that it is recognised.
@@ -29,8 +28,8 @@ fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
 ///
 /// Catches: a judge that refuses a right method, or cannot tell.
 fn our_methods_hold_their_claims(method: &dyn AnyMethod) {
-    let by_pointer = ByPointer { pendulum: steps(method), driven: steps_on(method) };
-    let report = assert_itself(&by_pointer, method);
+    let chosen = Chosen::named(method.info().name).unwrap();
+    let report = assert_itself(&chosen, method);
     let driven = report.finding("stage-times").unwrap();
     assert_eq!(driven.verdict, Verdict::Holds, "{report}");
 }
@@ -44,9 +43,9 @@ each_general_method!(our_methods_hold_their_claims);
 fn what_cannot_be_driven_holds_its_claims() {
     for method in ["taylor-24", "discrete-gradient", "cieslinski-ratkiewicz", "deuflhard", "rk4"] {
         let method = method_named(method).unwrap();
-        let report = assert_itself(&Listed(method), method);
+        let report = assert_itself(&Chosen::new(method), method);
         assert!(report.mistake.is_none(), "{report}");
-        let report = judge(&Listed(method), Claims::none());
+        let report = judge(&Chosen::new(method), Claims::none());
         assert!(report.mistake.is_none(), "{report}");
     }
 }
@@ -60,7 +59,7 @@ const RIGHT_BY_G_OVER_L: [&str; 3] = ["g_times_l", "l_forgotten", "mass_in_the_m
 /// Catches: a judge that lets a wrong method pass.
 fn impostors_are_refused(name: &str) {
     let impostor = impostor_named(name).unwrap();
-    let report = judge(&Listed(&*impostor.method), Claims::of(&impostor.poses_as));
+    let report = judge(&Chosen::new(&*impostor.method), Claims::of(&impostor.poses_as));
     let right = RIGHT_BY_G_OVER_L.contains(&name);
     let expected = if right { Verdict::Holds } else { Verdict::Fails };
     assert_eq!(report.verdict, expected, "{report}");
@@ -137,7 +136,7 @@ fn a_state_too_few_is_a_wrong_clock() {
 fn the_leading_error_is_that_of_theory() {
     for name in ["forward-euler", "symplectic-euler", "stormer-verlet", "rk4"] {
         let method = method_named(name).unwrap();
-        let stranger = ByPointer { pendulum: steps(method), driven: steps_on(method) };
+        let stranger = Chosen::named(name).unwrap();
         let law = leading_local_error(name, [1.0, 1.0]).unwrap();
         let probe = Probe::new(&stranger).unwrap();
         let found = leading_error(&probe, method.info().order).unwrap();
@@ -213,7 +212,10 @@ fn the_reports_are_these() {
     let reports = [
         judge(&ForwardEuler, all().name("rk4")),
         judge(&Gauss16, Claims::order(16).symplectic().symmetric().bounded_energy()),
-        judge(&Listed(&StormerVerlet), Claims::order(2).name("stormer-verlet")),
+        judge(
+            &Chosen::new(method_named("stormer-verlet").unwrap()),
+            Claims::order(2).name("stormer-verlet"),
+        ),
         judge(&Single, Claims::order(4).symmetric().name("rk4")),
         judge(&Nearly, Claims::order(2)),
         judge(&Heun, Claims::none()),

@@ -303,7 +303,7 @@ fn a_right_step_has_no_wrong_term() {
     let mut random = Random::new(1);
     for name in ["stormer-verlet", "rk4", "forest-ruth", "gauss-4", "dormand-prince"] {
         let method = method_named(name).expect("it is on the list");
-        let stranger = pendula::verify::Listed(method);
+        let stranger = pendula::verify::Chosen::new(method);
         let probe = Probe::new(&stranger).unwrap();
         for _ in 0..40 {
             let g_over_l = random.between(0.1, 50.0);

@@ -104,7 +104,7 @@ macro_rules! all {
 pendula::for_each_method!(all);
 
 // By their types, which say whether a method suits the double pendulum; the library's own answer,
-// `Listed`, would compile its steps into the file.
+// `ByName`, would compile its steps into the file.
 macro_rules! general {
     ($($module:ident::$method:ident,)+) => {
         /// Whether each of the methods that suit every separable system suits the double pendulum

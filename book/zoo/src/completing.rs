@@ -7,7 +7,7 @@ use pendula::methods::{Deuflhard, DiscreteGradient, ImplicitMidpoint, Iteration,
 use pendula::systems::{MeanForce, NearlyLinear};
 use pendula::{Info, Method, MethodInfo, Phase, RateOf, System};
 
-use super::{Plain, impostor, runs_in_seconds};
+use super::{Plain, impostor};
 
 /// The implicit midpoint rule under the entry of `M`: of the same order, symmetric, and on the
 /// linear oscillator the same map.
@@ -28,9 +28,6 @@ impl<M, S: Plain> Method<S> for Midpoint<M> {
         ImplicitMidpoint.step(system, t, h, z, carry)
     }
 }
-
-runs_in_seconds!(Midpoint<Trapezoidal>);
-runs_in_seconds!(Midpoint<DiscreteGradient>);
 
 impostor! {
     /// The trapezoidal rule after a single sweep of its iteration: Heun's method.

@@ -5,9 +5,9 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::runge_kutta::dop853;
 use pendula::methods::splitting::{Splitting, kicks};
 use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
-use pendula::{AnyMethod, Grid, Method, Observer, Pendulum, Phase};
+use pendula::{Counting, Info, Method, Pendulum, Phase, Separable};
 
-use super::{Plain, impostor, poses_as, runs_in_seconds};
+use super::{Plain, impostor, poses_as};
 
 macro_rules! composition {
     ($(#[$doc:meta])* $name:ident poses as $truth:ident, $n:literal substeps, $substeps:expr) => {
@@ -132,8 +132,6 @@ impl<S: Plain> Method<S> for EntryOff {
     }
 }
 
-runs_in_seconds!(EntryOff);
-
 /// The Taylor series of order 24, term by term as in a book, without one of the products in one
 /// coefficient each of the sine and the cosine.
 pub struct TermDropped {
@@ -147,7 +145,7 @@ impl TermDropped {
     /// No term dropped.
     pub const NONE: Self = Self { power: 0, factor: 0 };
 
-    fn step(&self, pendulum: &Pendulum, h: f64, z: Phase) -> Phase {
+    fn step_of(&self, pendulum: &Pendulum, h: f64, z: Phase) -> Phase {
         const P: usize = 24;
         let (mut theta, mut omega) = ([0.0; P + 1], [0.0; P + 1]);
         let (mut s, mut c) = ([0.0; P + 1], [0.0; P + 1]);
@@ -179,23 +177,23 @@ impl TermDropped {
 
 poses_as!(TermDropped, Taylor24);
 
-impl AnyMethod for TermDropped {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        observer.observe(0, grid.time(0), start);
-        (1..=grid.steps()).fold(start, |z, n| {
-            let z = self.step(pendulum, grid.step(), z);
-            observer.observe(n, grid.time(n), z);
-            z
-        })
-    }
+impl Method<Counting<Pendulum>> for TermDropped {
+    type Carry = ();
 
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        Taylor24.count_evaluations(pendulum, start, grid)
+    fn start(&self, _pendulum: &Counting<Pendulum>, _t: f64, _h: f64, _z: Phase) {}
+
+    fn step(
+        &self,
+        pendulum: &Counting<Pendulum>,
+        t: f64,
+        h: f64,
+        z: Phase,
+        _carry: &mut (),
+    ) -> Phase {
+        // They count, as those of the series that it poses as.
+        for _ in 0..self.info().force_evaluations {
+            pendulum.force(t, z);
+        }
+        self.step_of(pendulum.system(), h, z)
     }
 }

@@ -19,11 +19,20 @@ use pendula::verify::properties::driven::Pushed;
 use pendula::{Counting, Pendulum, Phase, System};
 
 /// A system whose state is θ and ω: all that an impostor needs.
-pub trait Plain: System<State = Phase> {}
+pub trait Plain: System<State = Phase> {
+    /// What `work` returns, whose evaluations are not counted if others are.
+    fn uncounted<T>(&self, work: impl FnOnce(&Self) -> T) -> T {
+        work(self)
+    }
+}
 
 impl Plain for Pendulum {}
 
-impl<S: Plain> Plain for Counting<S> {}
+impl<S: Plain> Plain for Counting<S> {
+    fn uncounted<T>(&self, work: impl FnOnce(&Self) -> T) -> T {
+        Counting::uncounted(self, work)
+    }
+}
 
 impl Plain for Pushed {}
 
@@ -38,44 +47,6 @@ macro_rules! poses_as {
     };
 }
 pub(crate) use poses_as;
-
-/// Implements `AnyMethod` for an impostor, with time in seconds.
-macro_rules! runs_in_seconds {
-    // Of an impostor that wraps a right method only the evaluations of that method are counted, and
-    // not its restart after each spoilt state.
-    ($type:ty $(, $inner:ident.$field:tt)?) => {
-        impl $(<$inner>)? pendula::AnyMethod for $type
-        where
-            $type: pendula::Info
-                + pendula::Method<pendula::Pendulum>
-                + pendula::Method<pendula::Counting<pendula::Pendulum>>
-                + Sync,
-            $($inner: pendula::Method<pendula::Counting<pendula::Pendulum>>,)?
-        {
-            fn run(
-                &self,
-                pendulum: &pendula::Pendulum,
-                start: pendula::Phase,
-                grid: &pendula::Grid,
-                observer: &mut dyn pendula::Observer<pendula::Phase>,
-            ) -> pendula::Phase {
-                pendula::integrate(pendulum, self, start, grid, observer)
-            }
-
-            fn count_evaluations(
-                &self,
-                pendulum: &pendula::Pendulum,
-                start: pendula::Phase,
-                grid: &pendula::Grid,
-            ) -> u64 {
-                let counting = pendula::Counting::new(*pendulum);
-                pendula::integrate(&counting, &(*self)$(.$field)?, start, grid, &mut ());
-                counting.evaluations()
-            }
-        }
-    };
-}
-pub(crate) use runs_in_seconds;
 
 /// Makes a method from an expression for its step. Its entry is that of the method it poses as; it
 /// may need more than a force of its system.
@@ -109,8 +80,6 @@ macro_rules! impostor {
                 $step
             }
         }
-
-        $crate::runs_in_seconds!($name);
     };
 }
 pub(crate) use impostor;

@@ -4,7 +4,7 @@
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{Processed4, Processed6};
 use pendula::verify::properties::conjugacy::{Kernel, PROCESSED_4, PROCESSED_6};
-use pendula::{AnyMethod, Grid, Info, MethodInfo, Observer, Pendulum, Phase};
+use pendula::{Counting, Info, Method, MethodInfo, Pendulum, Phase, Separable};
 
 /// A kernel between its processor undone and done.
 #[derive(Clone, Copy)]
@@ -90,25 +90,32 @@ impl<M: Info> Info for Processed<M> {
     }
 }
 
-impl<M: AnyMethod> AnyMethod for Processed<M> {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        observer.observe(0, grid.time(0), start);
-        let (mut seen, mut inside) = (start, self.unprocessed(pendulum, start, grid.step()));
-        for n in 1..=grid.steps() {
-            inside = self.kernel.step(pendulum, inside, grid.step());
-            seen = self.processed(pendulum, inside, grid.step());
-            observer.observe(n, grid.time(n), seen);
-        }
-        seen
+impl<M: Info> Method<Counting<Pendulum>> for Processed<M> {
+    /// The state inside the change of variables.
+    type Carry = Phase;
+
+    fn start(&self, pendulum: &Counting<Pendulum>, t: f64, h: f64, z: Phase) -> Phase {
+        count(pendulum, self.info().start_evaluations, t, z);
+        self.unprocessed(pendulum.system(), z, h)
     }
 
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        self.truth.count_evaluations(pendulum, start, grid)
+    fn step(
+        &self,
+        pendulum: &Counting<Pendulum>,
+        t: f64,
+        h: f64,
+        z: Phase,
+        inside: &mut Phase,
+    ) -> Phase {
+        count(pendulum, self.info().force_evaluations, t, z);
+        *inside = self.kernel.step(pendulum.system(), *inside, h);
+        self.processed(pendulum.system(), *inside, h)
+    }
+}
+
+/// Counts as many evaluations as the method that it poses as has.
+fn count(pendulum: &Counting<Pendulum>, evaluations: u64, t: f64, z: Phase) {
+    for _ in 0..evaluations {
+        pendulum.force(t, z);
     }
 }

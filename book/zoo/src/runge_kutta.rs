@@ -3,7 +3,7 @@
 use pendula::methods::Rk4;
 use pendula::{Method, Phase};
 
-use super::{Plain, poses_as, runs_in_seconds};
+use super::{Plain, poses_as};
 
 /// Four stages, each built on the one before, the third on the first as well.
 #[derive(Clone, Copy)]
@@ -55,5 +55,3 @@ impl<S: Plain> Method<S> for Tableau {
         z + (k1 * b[0] + k2 * b[1] + k3 * b[2] + k4 * b[3]) * h
     }
 }
-
-runs_in_seconds!(Tableau);

@@ -3,7 +3,7 @@
 use pendula::methods::StormerVerlet;
 use pendula::{Method, Phase, Separable};
 
-use super::{Plain, impostor, poses_as, runs_in_seconds};
+use super::{Plain, impostor, poses_as};
 
 impostor! {
     /// Position for velocity Verlet: half a drift, a kick, half a drift. It evaluates once a step,
@@ -80,5 +80,3 @@ impl<S: Plain + Separable<Force = f64>> Method<S> for Kicks {
         system.kick(z, if self.stale_kick { old } else { new }, self.second * h)
     }
 }
-
-runs_in_seconds!(Kicks);

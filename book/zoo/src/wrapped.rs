@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use pendula::integrate::Run;
 use pendula::methods::StormerVerlet;
 use pendula::{
-    AnyMethod, Counting, Grid, Info, Method, MethodInfo, Observer, Pendulum, Phase, Separable,
-    System, integrate,
+    AnyMethod, Counting, Grid, Info, Method, MethodInfo, Pendulum, Phase, Separable, System,
 };
 
 use super::poses_as;
@@ -31,13 +31,12 @@ macro_rules! spoilt_step {
             fn step(&self, system: &S, t: f64, $h: f64, z: Phase, carry: &mut M::Carry) -> Phase {
                 let $z = self.0.step(system, t, $step, z, carry);
                 let z = $after;
-                // The carry belongs to the spoilt state.
-                *carry = self.0.start(system, t + $h, $step, z);
+                // The carry belongs to the spoilt state. Only the evaluations of the right method
+                // are counted.
+                *carry = system.uncounted(|system| self.0.start(system, t + $h, $step, z));
                 z
             }
         }
-
-        super::runs_in_seconds!($name<M>, M.0);
     };
 }
 
@@ -69,32 +68,28 @@ spoilt_step! {
     AngleWrapped, |h| h, |z| Phase { theta: (z.theta + PI).rem_euclid(TAU) - PI, ..z }
 }
 
-/// Implements a method whose loop is spoilt: what it does with the run of a right one, `$method`.
+/// A method whose loop is spoilt: it runs along another grid than the one that is asked for.
 macro_rules! spoilt_loop {
-    (
-        $(#[$doc:meta])*
-        $name:ident, |$method:ident, $pendulum:ident, $start:ident, $grid:ident, $observer:ident|
-        $run:block
-    ) => {
+    ($(#[$doc:meta])* $name:ident, |$grid:ident| $along:expr) => {
         $(#[$doc])*
         pub struct $name<M>(pub M);
 
-        impl<M: AnyMethod> Info for $name<M> {
+        impl<M: Info> Info for $name<M> {
             fn info(&self) -> MethodInfo {
                 self.0.info()
             }
         }
 
         impl<M: AnyMethod> AnyMethod for $name<M> {
-            fn run(
+            fn begin_at(
                 &self,
-                $pendulum: &Pendulum,
-                $start: Phase,
+                pendulum: &Pendulum,
+                z: Phase,
                 $grid: &Grid,
-                $observer: &mut dyn Observer<Phase>,
-            ) -> Phase {
-                let $method = &self.0;
-                $run
+                steps: u64,
+            ) -> Run<'_, Phase> {
+                let along = $along;
+                self.0.begin_at(pendulum, z, &along.expect("a grid"), steps)
             }
 
             fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
@@ -106,24 +101,19 @@ macro_rules! spoilt_loop {
 
 spoilt_loop! {
     /// One step is left out: N points are taken for N steps.
-    OneStepShort, |method, pendulum, start, grid, observer| {
-        let short = Grid::new(grid.step(), grid.steps().saturating_sub(1)).expect("a shorter grid");
-        method.run(pendulum, start, &short, observer)
-    }
+    OneStepShort, |grid| Grid::new(grid.step(), grid.steps().saturating_sub(1))
 }
 
 spoilt_loop! {
     /// Time is added up, `while t < end { t += h }`: after ten steps of 0.1 it is
     /// 0.9999999999999999, and one more is taken.
-    TimeAccumulated, |method, pendulum, start, grid, observer| {
-        let (end, mut times) = (grid.time(grid.steps()), vec![0.0]);
-        while times[times.len() - 1] < end {
-            times.push(times[times.len() - 1] + grid.step());
+    TimeAccumulated, |grid| {
+        let (end, mut t, mut steps) = (grid.time(grid.steps()), 0.0, 0);
+        while t < end {
+            t += grid.step();
+            steps += 1;
         }
-        let steps = times.len() as u64 - 1;
-        let longer = Grid::new(grid.step(), steps).expect("a grid");
-        let mut watch = |n: u64, _, z: Phase| observer.observe(n, times[n as usize], z);
-        method.run(pendulum, start, &longer, &mut watch)
+        Grid::new(grid.step(), steps)
     }
 }
 
@@ -131,13 +121,12 @@ spoilt_loop! {
 pub struct Accelerated(pub fn(&Pendulum, f64) -> f64);
 
 /// The pendulum with another force.
-#[derive(Clone, Copy)]
-struct Twisted {
-    pendulum: Pendulum,
+struct Twisted<'s> {
+    pendulum: &'s Counting<Pendulum>,
     acceleration: fn(&Pendulum, f64) -> f64,
 }
 
-impl System for Twisted {
+impl System for Twisted<'_> {
     type State = Phase;
 
     fn rate(&self, t: f64, z: Phase) -> Phase {
@@ -145,11 +134,13 @@ impl System for Twisted {
     }
 }
 
-impl Separable for Twisted {
+impl Separable for Twisted<'_> {
     type Force = f64;
 
-    fn force(&self, _t: f64, z: Phase) -> f64 {
-        (self.acceleration)(&self.pendulum, z.theta)
+    fn force(&self, t: f64, z: Phase) -> f64 {
+        // It counts.
+        self.pendulum.force(t, z);
+        (self.acceleration)(self.pendulum.system(), z.theta)
     }
 
     fn kick(&self, z: Phase, alpha: f64, h: f64) -> Phase {
@@ -161,28 +152,23 @@ impl Separable for Twisted {
     }
 }
 
-impl Accelerated {
-    fn twist(&self, pendulum: &Pendulum) -> Twisted {
-        Twisted { pendulum: *pendulum, acceleration: self.0 }
-    }
-}
-
 poses_as!(Accelerated, StormerVerlet);
 
-impl AnyMethod for Accelerated {
-    fn run(
-        &self,
-        pendulum: &Pendulum,
-        start: Phase,
-        grid: &Grid,
-        observer: &mut dyn Observer<Phase>,
-    ) -> Phase {
-        integrate(&self.twist(pendulum), &StormerVerlet, start, grid, observer)
+impl Method<Counting<Pendulum>> for Accelerated {
+    type Carry = Phase;
+
+    fn start(&self, pendulum: &Counting<Pendulum>, t: f64, h: f64, z: Phase) -> Phase {
+        StormerVerlet.start(&Twisted { pendulum, acceleration: self.0 }, t, h, z)
     }
 
-    fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {
-        let counting = Counting::new(self.twist(pendulum));
-        integrate(&counting, &StormerVerlet, start, grid, &mut ());
-        counting.evaluations()
+    fn step(
+        &self,
+        pendulum: &Counting<Pendulum>,
+        t: f64,
+        h: f64,
+        z: Phase,
+        ahead: &mut Phase,
+    ) -> Phase {
+        StormerVerlet.step(&Twisted { pendulum, acceleration: self.0 }, t, h, z, ahead)
     }
 }

@@ -5,7 +5,7 @@ use super::verdict::{Measured, Trouble};
 use crate::AnyMethod;
 use crate::exact::Motion;
 use crate::systems::{Hamiltonian, Pendulum, Phase};
-use crate::verify::stranger::{Fault, Listed, Reply, Request, Stranger};
+use crate::verify::stranger::{Chosen, Fault, Reply, Request, Stranger};
 
 /// g/L of most requests (1/s²): not the paper's, and no power of two.
 pub const G_OVER_L: f64 = 12.2625;
@@ -183,7 +183,7 @@ pub fn states_after(
     count: u64,
 ) -> Option<Vec<Phase>> {
     let request = Request::run(start, h, count).with(g_over_l);
-    Some(Listed(method).answer(&request).ok()?.states)
+    Some(Chosen::new(method).answer(&request).ok()?.states)
 }
 
 /// The energy above the bottom, in units of mgL.

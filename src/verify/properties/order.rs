@@ -1,9 +1,9 @@
 //! Order: the slope of the error against the step, between neighbouring rungs of a ladder of steps.
 
 use super::{CheckResult, near};
+use crate::AnyMethod;
 use crate::exact::Motion;
 use crate::integrate::Grid;
-use crate::methods::AnyMethod;
 use crate::metrics::order::slopes;
 use crate::systems::{Pendulum, Phase};
 

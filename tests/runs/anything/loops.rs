@@ -3,8 +3,9 @@
 use std::num::NonZeroU64;
 
 use pendula::fast::{InLanes, ScaledPendulum};
-use pendula::integrate::{Every, Steps};
+use pendula::integrate::Every;
 use pendula::methods::{Gauss6, Implicit, Iteration};
+use pendula::registry::InSteps;
 use pendula::systems::CompensatedPhase;
 use pendula::{
     AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, METHODS, Method, Pendulum,
@@ -12,19 +13,19 @@ use pendula::{
 };
 
 use super::*;
-use crate::common::{Random, Samples, bits as bits_of, lanes, steps, steps_on, try_integrate};
+use crate::common::{Random, Samples, bits as bits_of, in_seconds, on};
 use crate::extremes::{is_as_promised, is_bounded};
 
 // -------------------------------------------------------------------------------------------------
 // Every method
 // -------------------------------------------------------------------------------------------------
 
-/// A method behind pointers, to what is compiled once.
-#[derive(Clone, Copy)]
-struct ByPointer<'a> {
-    method: &'a dyn AnyMethod,
-    lanes: &'a dyn InLanes,
-    compensated: &'a dyn Steps<Compensated<Pendulum>>,
+/// A method in each of its loops.
+struct Loops<'a, L: ?Sized> {
+    in_steps: &'a dyn AnyMethod,
+    in_seconds: &'a dyn AnyMethod,
+    in_lanes: &'a L,
+    compensated: &'a dyn AnyMethod<Compensated<Pendulum>>,
 }
 
 /// A method of the list: in seconds, in steps, in lanes, watched, with compensated sums, asked why.
@@ -32,16 +33,27 @@ pub fn a_run(any: &mut Any, tally: &mut Tally) {
     if any.0.below(20) == 0 {
         let tolerance = Iteration::default().tolerance(any.number());
         let gauss = &Gauss6.with(tally.accepted(tolerance).unwrap_or_default());
-        run_of(ByPointer { method: gauss, lanes: gauss, compensated: gauss }, any, tally);
+        let loops = Loops {
+            in_steps: &InSteps(*gauss),
+            in_seconds: gauss,
+            in_lanes: gauss,
+            compensated: gauss,
+        };
+        run_of(loops, any, tally);
     } else {
         let method = any.0.one_of(METHODS);
-        let (lanes, compensated) = (lanes(method), steps_on(method));
-        run_of(ByPointer { method, lanes, compensated }, any, tally);
+        let loops = Loops {
+            in_steps: method,
+            in_seconds: in_seconds(method),
+            in_lanes: method,
+            compensated: on(method),
+        };
+        run_of(loops, any, tally);
     }
 }
 
-fn run_of(by_pointer: ByPointer<'_>, any: &mut Any, tally: &mut Tally) {
-    let ByPointer { method, lanes, compensated } = by_pointer;
+fn run_of<L: InLanes + ?Sized>(loops: Loops<'_, L>, any: &mut Any, tally: &mut Tally) {
+    let Loops { in_steps: method, in_lanes, compensated, .. } = loops;
     let pendulum = any.pendulum();
     let grid = any.grid(&pendulum, 12);
     let count = 1 + any.0.below(4) * any.0.below(12);
@@ -60,7 +72,7 @@ fn run_of(by_pointer: ByPointer<'_>, any: &mut Any, tally: &mut Tally) {
             Err(Error::NotSolved { n, .. }) => assert!(n < grid.steps() && is_nan(fast)),
             Err(other) => panic!("{other}"),
         }
-        let end = match try_integrate(&pendulum, steps(method), *start, &grid, &mut ()) {
+        let end = match loops.in_seconds.try_run(&pendulum, *start, &grid, &mut ()) {
             Ok(end) => end,
             Err(Error::NotSolved { n, .. }) if n < grid.steps() => {
                 Phase { theta: f64::NAN, omega: f64::NAN }
@@ -83,7 +95,7 @@ fn run_of(by_pointer: ByPointer<'_>, any: &mut Any, tally: &mut Tally) {
             }
         }
         let from = CompensatedPhase::from(*start);
-        let summed = try_integrate(&Compensated::new(pendulum), compensated, from, &grid, &mut ());
+        let summed = compensated.try_run(&Compensated::new(pendulum), from, &grid, &mut ());
         let bounded = is_bounded(method, &pendulum, *start, grid.step());
         if moderate && !method.info().implicit && bounded {
             let finite = summed.is_ok_and(|end| is_finite(end.phase));
@@ -92,11 +104,11 @@ fn run_of(by_pointer: ByPointer<'_>, any: &mut Any, tally: &mut Tally) {
     }
 
     let mut ends = vec![Phase::default(); count];
-    Ensemble::new(&pendulum, &starts, grid).ends(lanes, &mut ends);
+    Ensemble::new(&pendulum, &starts, grid).ends(in_lanes, &mut ends);
     let every = any.0.one_of(&[1, 2, 3, 5, 1 << 32, u64::MAX]);
     let every = NonZeroU64::new(every).unwrap();
     let mut seen = vec![Samples::default(); count];
-    Ensemble::new(&pendulum, &starts, grid).watch(lanes, every, &mut seen);
+    Ensemble::new(&pendulum, &starts, grid).watch(in_lanes, every, &mut seen);
     for ((start, end), seen) in starts.iter().zip(ends).zip(seen) {
         let mut watch = Every::new(every, Samples::default());
         let alone = method.run(&pendulum, *start, &grid, &mut watch);
@@ -133,7 +145,7 @@ fn starts(any: &mut Any, pendulum: &Pendulum, count: usize) -> Vec<Phase> {
 /// a carry lost between two of them; a time of another step; NaN where the other loop has an end.
 fn loops_agree<M>(method: &M)
 where
-    M: AnyMethod + Method<ScaledPendulum> + Method<Pendulum> + Method<Counting<Pendulum>>,
+    M: Info + Method<ScaledPendulum> + Method<Pendulum> + Method<Counting<Pendulum>>,
 {
     let listed = method_named(method.info().name).unwrap();
     let mut any = Any(Random::new(29));
@@ -151,10 +163,10 @@ where
         let listed_tried = listed.try_run(&pendulum, start, &grid, four);
         assert_eq!(format!("{listed_tried:?}"), format!("{tried:?}"), "{case}");
         let counting = Counting::new(pendulum);
-        let in_seconds = pendula::try_integrate(&counting, method, start, &grid, five);
-        let listed_in_seconds = try_integrate(&pendulum, steps(listed), start, &grid, six);
-        assert_eq!(format!("{listed_in_seconds:?}"), format!("{in_seconds:?}"), "{case}");
-        let counted = listed.count_evaluations(&pendulum, start, &grid);
+        let typed = pendula::try_integrate(&counting, method, start, &grid, five);
+        let listed_in_seconds = in_seconds(listed).try_run(&pendulum, start, &grid, six);
+        assert_eq!(format!("{listed_in_seconds:?}"), format!("{typed:?}"), "{case}");
+        let counted = in_seconds(listed).count_evaluations(&pendulum, start, &grid);
         assert_eq!(counted, counting.evaluations(), "{case}");
         for (at, pair) in watches.chunks(2).enumerate() {
             assert_eq!(pair[0].0, pair[1].0, "{at}: {case}");
@@ -166,12 +178,12 @@ each_method_type!(loops_agree);
 /// The same under a drive, which depends on the time.
 ///
 /// Catches: a time that begins anew with each block of states.
-fn loops_agree_on_the_time<M: AnyMethod + Method<Driven>>(method: &M) {
+fn loops_agree_on_the_time<M: Info + Method<Driven>>(method: &M) {
     let driven = Driven::taylor(1.07).unwrap();
     let (start, grid) = (Phase { theta: -0.4, omega: 1.2 }, Grid::new(0.01, 150).unwrap());
     let (mut seen, mut listed) = (Samples::default(), Samples::default());
     let end = integrate(&driven, method, start, &grid, &mut seen);
-    assert_eq!(try_integrate(&driven, steps_on(method), start, &grid, &mut listed), Ok(end));
+    assert_eq!(on(method).try_run(&driven, start, &grid, &mut listed), Ok(end));
     assert_eq!(seen.0, listed.0);
 }
 each_general_method_type!(loops_agree_on_the_time);

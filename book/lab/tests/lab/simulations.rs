@@ -2,8 +2,7 @@
 
 use std::num::NonZeroU64;
 
-use pendula::integrate::Run;
-use pendula::methods::table::Listed;
+use pendula::registry::ByName;
 use pendula::systems::{DoublePhase, Driven, Joint, Shaken};
 use pendula::{
     AnyMethod, Damped, DoublePendulum, Grid, Hamiltonian, METHODS, MethodInfo, Motion, Observer,
@@ -266,13 +265,13 @@ fn compare_other(
 
 /// Runs the method on a system beside the lab; `None` if it does not suit the system.
 /// Its force evaluations; none if a step has no solution, where the lab has NaN and goes on.
-fn run_on<S: Listed>(
+fn run_on<S: ByName>(
     system: &S,
     info: &MethodInfo,
     (start, grid): (S::State, &Grid),
     mut beside: Beside<'_, impl Fn(S::State) -> Seen>,
 ) -> Option<Option<u64>> {
-    let mut run = Run::start(system, S::steps(info.name)?, start, grid);
+    let mut run = S::method_named(info.name)?.begin(system, start, grid);
     beside.observe(0, 0.0, start);
     let solved = run.advance(u64::MAX, NonZeroU64::MIN, &mut beside);
     Some(solved.ok().map(|_| run.evaluations()))

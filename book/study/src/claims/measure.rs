@@ -1,6 +1,7 @@
 //! How each number of the paper is measured: from the rows of the study to claims.
 
 use pendula::methods::{BlanesMoan6, Dop853, ForwardEuler, Rk4};
+use pendula::registry::InSteps;
 
 use super::stated::{FINDINGS, TABLES};
 use super::{Claim, Measured, Tolerance, Verdict, cell_id, row, stated};
@@ -197,10 +198,11 @@ fn found_besides(study: &Study, claims: &mut Vec<Claim>) {
     let vv = row!(study.long_run, StormerVerlet);
     let verlet = row!(study.convergence, StormerVerlet).drift;
     let start = small_angle::THETA_0;
-    let first_fall = findings::first_fall(&ForwardEuler, start, long_run::STEP, long_run::DURATION);
-    let norm = findings::normalised_formula_error(&Rk4, 1e-4, 0.01);
-    let loss = |steps| findings::energy_drift(&Dop853, 1.0, 0.2, steps);
-    let growth = |steps| findings::growth_over_swings(&BlanesMoan6, steps, [20.0, 4000.0]);
+    let first_fall =
+        findings::first_fall(&InSteps(ForwardEuler), start, long_run::STEP, long_run::DURATION);
+    let norm = findings::normalised_formula_error(&InSteps(Rk4), 1e-4, 0.01);
+    let loss = |steps| findings::energy_drift(&InSteps(Dop853), 1.0, 0.2, steps);
+    let growth = |steps| findings::growth_over_swings(&InSteps(BlanesMoan6), steps, [20.0, 4000.0]);
     let finding =
         |id: &str, value, digits| number(id.to_string(), FINDINGS[id].clone(), value, digits);
     claims.extend([

@@ -4,9 +4,9 @@
 use core::f64::consts::TAU;
 
 use pendula::methods::StormerVerlet;
-use pendula::methods::table::in_lanes;
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Ensemble, Grid, Info, Observer, Pendulum, Phase};
+use pendula::registry::InSteps;
+use pendula::{AnyMethod, Ensemble, Grid, Info, Observer, Pendulum, Phase, method_named};
 
 use super::standard_map::step;
 
@@ -38,8 +38,8 @@ pub fn run() -> Vec<Row> {
     PARAMETERS
         .map(|k| Row {
             k,
-            from_1_rad: largest_error(&StormerVerlet, k, 1.0),
-            from_3_rad: largest_error(&StormerVerlet, k, 3.0),
+            from_1_rad: largest_error(&InSteps(StormerVerlet), k, 1.0),
+            from_3_rad: largest_error(&InSteps(StormerVerlet), k, 3.0),
             spread: spread(k),
         })
         .to_vec()
@@ -86,7 +86,7 @@ fn spread(k: f64) -> f64 {
     let starts: Vec<Phase> = starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
     let grid = Grid::new(h, steps).expect("a positive step");
     let mut ends = starts.clone();
-    let method = in_lanes(StormerVerlet.info().name).expect("a method of the library");
+    let method = method_named(StormerVerlet.info().name).expect("a method of the library");
     Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(method, &mut ends);
     let change = |(z, end): (&Phase, &Phase)| (end.omega - z.omega) * h;
     let squares: f64 = starts.iter().zip(&ends).map(change).map(|du| du * du).sum();

@@ -8,6 +8,7 @@
 
 use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
+use pendula::registry::InSteps;
 use pendula::{AnyMethod, Grid, Motion, Observer, Pendulum, Phase, exact};
 
 use super::{grid, samples};
@@ -45,7 +46,7 @@ impl Periods {
 pub fn run() -> Periods {
     let pendulum = Pendulum::PAPER;
     let mut watch = (PeakPeriod::default(), CrossingPeriod::default());
-    Rk4.run(&pendulum, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut watch);
+    InSteps(Rk4).run(&pendulum, Phase::at_rest(THETA_0), &grid(DURATION, STEP), &mut watch);
     Periods {
         exact: exact::period(&pendulum, THETA_0).expect("a finite angle"),
         by_peak: watch.0.period().expect("30 s hold five periods"),
@@ -64,7 +65,7 @@ pub fn period_by_peak(method: &dyn AnyMethod) -> f64 {
 
 /// RK4's θ(t) (rad), every tenth step to 15 s, for Figure 6.
 pub fn waveform() -> Vec<(f64, f64)> {
-    let run = samples(&Rk4, THETA_0, &grid(15.0, STEP));
+    let run = samples(&InSteps(Rk4), THETA_0, &grid(15.0, STEP));
     run.into_iter().step_by(10).map(|(t, z)| (t, z.theta)).collect()
 }
 
@@ -90,7 +91,7 @@ pub fn of_rk4() -> Vec<Errors> {
     let pendulum = Pendulum::PAPER;
     let start = Phase::at_rest(THETA_0);
     ladder(|_, grid, observer| {
-        Rk4.run(&pendulum, start, grid, observer);
+        InSteps(Rk4).run(&pendulum, start, grid, observer);
     })
 }
 

@@ -24,6 +24,7 @@ pub mod truncation;
 pub mod work;
 
 use pendula::metrics::EnergyDrift;
+use pendula::registry::in_seconds;
 use pendula::{AnyMethod, Grid, Hamiltonian, METHODS, Pendulum, Phase, method_named};
 pub use pendula_curves::{parts, shapes};
 
@@ -149,6 +150,14 @@ fn each_method<R>(row: impl FnMut(MethodRef) -> R) -> Vec<R> {
 /// A grid on the paper's parameters, which are known to fit.
 pub(crate) fn grid(duration: f64, step: f64) -> Grid {
     Grid::with_duration(step, duration).expect("the paper's durations are whole numbers of steps")
+}
+
+/// Force evaluations of a run of the paper's pendulum in seconds, as by
+/// [`integrate`](pendula::integrate()): where the step is the unit of time, the iteration of an
+/// implicit method ends by other units, and takes up to a fifth more.
+fn evaluations(method: &dyn AnyMethod, start: Phase, grid: &Grid) -> u64 {
+    let method = in_seconds(method.info().name).expect("a method of the library");
+    method.count_evaluations(&Pendulum::PAPER, start, grid)
 }
 
 /// The samples of a run of the paper's pendulum from rest at `theta_0` (rad), each with its time

@@ -7,8 +7,7 @@
 use core::f64::consts::{PI, TAU};
 
 use pendula::methods::SymplecticEuler;
-use pendula::methods::registry::AnyMethod;
-use pendula::{Grid, Pendulum, Phase};
+use pendula::{Grid, Pendulum, Phase, integrate_fast};
 
 /// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, above
 /// it, and far above.
@@ -51,7 +50,7 @@ pub fn golden(k: f64) -> Orbit {
     for _ in 0..32 {
         let u = 0.5 * (slow + fast);
         let start = Phase { theta: 0.0, omega: u / step(k) };
-        let end = SymplecticEuler.end(&Pendulum::PAPER, start, &grid);
+        let end = integrate_fast(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut ());
         *(if end.theta < wanted { &mut slow } else { &mut fast }) = u;
     }
     // The points of a golden-mean orbit are spaced most evenly when their number is a Fibonacci
@@ -81,13 +80,14 @@ fn orbit(k: f64, (theta, u): (f64, f64), kept: impl Fn(u64) -> bool) -> Orbit {
     let start = Phase { omega: u / step, ..Phase::at_rest(theta) };
     let grid = Grid::new(step, STEPS).expect("a positive step");
     let mut orbit = Orbit { points: Vec::new(), escapes: false };
-    SymplecticEuler.run(&Pendulum::PAPER, start, &grid, &mut |n: u64, _, z: Phase| {
+    let mut keep = |n: u64, _: f64, z: Phase| {
         let u = z.omega * step;
         orbit.escapes |= u.abs() > TAU;
         if kept(n) {
             orbit.points.push((folded(z.theta), folded(u)));
         }
-    });
+    };
+    integrate_fast(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut keep);
     orbit
 }
 

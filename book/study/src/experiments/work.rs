@@ -27,7 +27,7 @@ pub fn run(small_angle: &[small_angle::Row]) -> Vec<Row> {
     let start = Phase::at_rest(small_angle::THETA_0);
     let count = |method: MethodRef, step| {
         let grid = grid(small_angle::DURATION, step);
-        method.count_evaluations(&Pendulum::PAPER, start, &grid)
+        super::evaluations(method, start, &grid)
     };
     let row = |row: &small_angle::Row| Row {
         method: row.method,

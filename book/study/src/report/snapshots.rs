@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 use std::thread;
 
 use pendula::methods::PositionVerlet;
+use pendula::registry::InSteps;
 
 use super::figures::figures;
 use super::table::Table;
@@ -182,7 +183,7 @@ fn a_change(study: &Study) -> String {
     let mut changed = study.clone();
     for row in &mut changed.convergence {
         if PaperMethod::of(row.method) == Some(PaperMethod::StormerVerlet) {
-            row.drift = STEPS.map(|step| convergence::drift(&PositionVerlet, step));
+            row.drift = STEPS.map(|step| convergence::drift(&InSteps(PositionVerlet), step));
         }
     }
     // Every other step, so that the example fits on a page.

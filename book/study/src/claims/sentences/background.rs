@@ -1,6 +1,7 @@
 //! Abstract to experimental set-up: Sections 1 to 5 and the tables of parameters.
 
 use super::*;
+use pendula::registry::InSteps;
 
 pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("T1.g", |_| number(-printed("T5.fe.H0") / cos(long_run::THETA_0), Fixed(2))),
@@ -39,7 +40,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("A.optimal", |study| {
         let methods: [(&dyn AnyMethod, f64); 3] =
-            [(&StormerVerlet, 1.0), (&Rk4, 4.0), (&BlanesMoan4, 6.0)];
+            [(&InSteps(StormerVerlet), 1.0), (&InSteps(Rk4), 4.0), (&InSteps(BlanesMoan4), 6.0)];
         let [verlet, others @ ..] =
             methods.map(|(method, evaluations)| errors_for_work(method, evaluations));
         let energy = others.map(|[energy, _]| energy / row!(study.long_run, StormerVerlet).drift);
@@ -49,9 +50,10 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let text = format!("in the energy {in_energy}, in the angle {in_angle}");
         says(text, energy.into_iter().chain(angle).all(|ratio| ratio > 1.0))
     }),
-    ("A.guarantees", |_| never_escapes(&StormerVerlet)),
+    ("A.guarantees", |_| never_escapes(&InSteps(StormerVerlet))),
     ("P1.systematic", |_| {
-        let methods: [&dyn AnyMethod; 3] = [&ForwardEuler, &Rk4, &Gauss4];
+        let methods: [&dyn AnyMethod; 3] =
+            [&InSteps(ForwardEuler), &InSteps(Rk4), &InSteps(Gauss4)];
         let [euler, rk4, gauss] = methods.map(|method| {
             let drift = |steps| findings::energy_drift(method, 1.0, 0.01, steps);
             drift(100_000) / drift(10_000)
@@ -122,7 +124,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(counts, shown.iter().all(alike))
     }),
     ("P4.rk4_lte", |_| {
-        let slope = findings::one_step_slope(&Rk4) - 1.0;
+        let slope = findings::one_step_slope(&InSteps(Rk4)) - 1.0;
         shows(slope, Fixed(1), is_near(slope, 4.0, 0.15))
     }),
     ("P4.rk4_evals", |study| number(row!(study.characteristics, Rk4).evaluations, Fixed(0))),
@@ -140,7 +142,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let defects = [1.0, 2.0, 4.0].into_iter().flat_map(|ratio: f64| {
             let h = ratio * AREA_STEP;
             cases().map(move |(pendulum, z)| {
-                area_defect(&StormerVerlet, &pendulum, z, h).abs() / (ratio * ratio)
+                area_defect(&InSteps(StormerVerlet), &pendulum, z, h).abs() / (ratio * ratio)
             })
         });
         let largest = defects.fold(0.0, libm::fmaximum);
@@ -160,7 +162,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let [a, b] = [new, old].map(|row| Fixed(5).print(row.area_defect.abs()));
         says(format!("{a} and {b}"), new.symplectic() && !old.symplectic())
     }),
-    ("P4.se_symp", |_| never_escapes(&SymplecticEuler)),
+    ("P4.se_symp", |_| never_escapes(&InSteps(SymplecticEuler))),
     ("P5.metric_pct", |study| {
         let rows = [
             ("T5.fe.pct", row!(study.long_run, ForwardEuler).percent_of_initial()),

@@ -2,6 +2,7 @@
 //! text leaves it open.
 
 use super::*;
+use pendula::registry::InSteps;
 
 pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("P7.1.kin", |study| {
@@ -20,13 +21,13 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("P7.1.modest", |_| {
         let start = Pendulum::PAPER.energy(Phase::at_rest(1.0));
         let [coarse, fine] = [(0.1, 1.0), (0.01, 1e3)].map(|(step, times)| {
-            let lost = start - findings::last_energy(&Rk4, 1.0, step, 1_000_000);
-            times * lost / findings::energy_drift(&SymplecticEuler, 1.0, step, 100_000)
+            let lost = start - findings::last_energy(&InSteps(Rk4), 1.0, step, 1_000_000);
+            times * lost / findings::energy_drift(&InSteps(SymplecticEuler), 1.0, step, 100_000)
         });
         says(format!("{coarse:.1} and {fine:.2}"), coarse > 1.0)
     }),
     ("P7.1.construction", |_| {
-        let found = [0.1, 1.5].map(|k| escapes(&StormerVerlet, k));
+        let found = [0.1, 1.5].map(|k| escapes(&InSteps(StormerVerlet), k));
         let text = found.map(|escapes| if escapes { "wanders off" } else { "stays" });
         says(text.join(" and "), found == [false, false])
     }),
@@ -46,7 +47,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
             row!(study.small_angle, ForwardEuler).errors[4].formula,
             row!(study.small_angle, SymplecticEuler).errors[4].formula,
         ];
-        let methods: [&dyn AnyMethod; 2] = [&ForwardEuler, &SymplecticEuler];
+        let methods: [&dyn AnyMethod; 2] = [&InSteps(ForwardEuler), &InSteps(SymplecticEuler)];
         let fine = methods.map(|method| {
             let theta_0 = small_angle::THETA_0;
             findings::normalised_formula_error(method, theta_0, 1e-5).1 * theta_0
@@ -62,13 +63,13 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         let cheapest = least.fold(f64::INFINITY, |least, row| least.min(row.evaluations));
         shows(own, Fixed(0), own == 1.0 && own <= cheapest)
     }),
-    ("P7.4.guaranteed", |_| never_escapes(&SymplecticEuler)),
+    ("P7.4.guaranteed", |_| never_escapes(&InSteps(SymplecticEuler))),
     ("P7.4.rk4", |_| {
         let largest = rk4_over_the_next_in_a_step();
         shows(largest, Significant(1), largest < 1.0)
     }),
     ("P7.4.caveat", |_| {
-        let drift = |steps| findings::energy_drift(&Rk4, 1.0, 0.01, steps);
+        let drift = |steps| findings::energy_drift(&InSteps(Rk4), 1.0, 0.01, steps);
         let ratio = drift(100_000) / drift(10_000);
         shows(ratio, Fixed(2), ratio > 5.0)
     }),
@@ -97,7 +98,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
     }),
     ("P8.order", orders_confirmed),
     ("P8.validates", |study| {
-        let others: [&dyn AnyMethod; 2] = [&StormerVerlet, &SymplecticEuler];
+        let others: [&dyn AnyMethod; 2] = [&InSteps(StormerVerlet), &InSteps(SymplecticEuler)];
         let away = |period: f64| (period - study.large_angle.exact).abs();
         let ms = |period| format!("{:.3}", 1e3 * away(period));
         let rk4 = study.large_angle.by_peak;
@@ -117,9 +118,9 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(format!("{met} of {}", CELLS.len()), met == CELLS.len())
     }),
     ("P8.yoshida", |_| {
-        let slope = Ladder::measure(&ForestRuth).slopes().last().unwrap_or(f64::NAN);
+        let slope = Ladder::measure(&InSteps(ForestRuth)).slopes().last().unwrap_or(f64::NAN);
         let z = Phase { theta: 1.0, omega: 0.5 };
-        let defect = area_defect(&ForestRuth, &Pendulum::PAPER, z, AREA_STEP).abs();
+        let defect = area_defect(&InSteps(ForestRuth), &Pendulum::PAPER, z, AREA_STEP).abs();
         let text = format!("{slope:.2}; {}", below(AREA_TOLERANCE, defect));
         says(text, confirms((slope, slope), 4.0) && defect < AREA_TOLERANCE)
     }),
@@ -143,7 +144,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         shows(ratio, Fixed(3), is_near(ratio, 1.0, 0.01))
     }),
     ("X.order_variant", |_| {
-        let methods: [&dyn AnyMethod; 2] = [&SymplecticEuler, &DriftKick];
+        let methods: [&dyn AnyMethod; 2] = [&InSteps(SymplecticEuler), &DriftKick];
         let errors = methods.map(|method| {
             findings::normalised_formula_error(method, 0.05, 0.1).1 * small_angle::THETA_0
         });
@@ -151,7 +152,7 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         show_all(errors, Scientific(3), met == [true, false])
     }),
     ("X.verlet_variant", |_| {
-        let methods: [&dyn AnyMethod; 2] = [&StormerVerlet, &PositionVerlet];
+        let methods: [&dyn AnyMethod; 2] = [&InSteps(StormerVerlet), &InSteps(PositionVerlet)];
         let drifts = methods.map(|method| convergence::drift(method, 0.1));
         let met = drifts.map(|drift| prints_as("T4.vv.0.1", drift));
         show_all(drifts, Scientific(3), met == [true, false])

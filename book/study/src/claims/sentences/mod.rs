@@ -14,6 +14,7 @@ use pendula::methods::{
 };
 use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};
+use pendula::registry::InSteps;
 use pendula::systems::System;
 use pendula::verify::properties::Ladder;
 use pendula::verify::properties::area::{AREA_STEP, AREA_TOLERANCE, area_defect, cases};
@@ -161,8 +162,12 @@ fn orders_confirmed(study: &Study) -> Finding {
 
 fn monotonic(study: &Study) -> Finding {
     let falls = row!(study.long_run, ForwardEuler).falls;
-    let first =
-        findings::first_fall(&ForwardEuler, long_run::THETA_0, long_run::STEP, long_run::DURATION);
+    let first = findings::first_fall(
+        &InSteps(ForwardEuler),
+        long_run::THETA_0,
+        long_run::STEP,
+        long_run::DURATION,
+    );
     let since = first.map_or_else(String::new, |t| format!(", the first at {t:.2} s"));
     says(format!("{falls} of 100 000 steps lower the energy{since}"), falls == 0)
 }
@@ -180,7 +185,7 @@ fn never_escapes(method: &dyn AnyMethod) -> Finding {
 }
 
 fn bounded(_: &Study) -> Finding {
-    let methods: [&dyn AnyMethod; 2] = [&SymplecticEuler, &StormerVerlet];
+    let methods: [&dyn AnyMethod; 2] = [&InSteps(SymplecticEuler), &InSteps(StormerVerlet)];
     // Whether the error has not grown at 0.01 s, and whether no orbit escapes at K = 0.9 and 1.5.
     let [euler, verlet] = methods.map(|method| {
         let drift = |steps| findings::energy_drift(method, 1.0, 0.01, steps);
@@ -206,11 +211,12 @@ fn bounded(_: &Study) -> Finding {
 
 /// Störmer–Verlet's RMS angle error over RK4's for so many evaluations each, from 1 rad over 10 s.
 fn verlet_over_rk4(evaluations: u64) -> f64 {
-    work::error(&StormerVerlet, 1.0, evaluations) / work::error(&Rk4, 1.0, evaluations)
+    work::error(&InSteps(StormerVerlet), 1.0, evaluations)
+        / work::error(&InSteps(Rk4), 1.0, evaluations)
 }
 
 fn largest_formula_error(theta_0: f64, step: f64) -> f64 {
-    findings::normalised_formula_error(&Rk4, theta_0, step).0
+    findings::normalised_formula_error(&InSteps(Rk4), theta_0, step).0
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The results: Section 6.
 
 use super::*;
+use pendula::registry::InSteps;
 
 pub(super) const MEASURED: &[(&str, Measure)] = &[
     ("P6.1.fe200", |study| {
@@ -13,7 +14,8 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         says(text, confirms((low, high), 1.0))
     }),
     ("P6.1.machine", |study| {
-        let ratio = row!(study.convergence, Rk4).drift[4] / convergence::drift(&Rk4, 0.0005);
+        let ratio =
+            row!(study.convergence, Rk4).drift[4] / convergence::drift(&InSteps(Rk4), 0.0005);
         let text = if ratio > 4.0 { "more than fourfold" } else { "fourfold at most" };
         says(text.to_string(), ratio <= 4.0)
     }),
@@ -111,18 +113,19 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         shows(large / small, Scientific(2), large > 100.0 * small)
     }),
     ("P6.4.closed", |_| {
-        let largest = gap_of_the_orbits(&Rk4);
+        let largest = gap_of_the_orbits(&InSteps(Rk4));
         shows(largest, Scientific(1), largest < LINE)
     }),
     ("P6.4.confirms", |_| {
-        let others: [&dyn AnyMethod; 3] = [&ForwardEuler, &SymplecticEuler, &StormerVerlet];
+        let others: [&dyn AnyMethod; 3] =
+            [&InSteps(ForwardEuler), &InSteps(SymplecticEuler), &InSteps(StormerVerlet)];
         let gaps = others.map(gap_of_the_orbits);
-        let met = gap_of_the_orbits(&Rk4) < LINE && gaps.into_iter().any(|gap| gap > LINE);
+        let met = gap_of_the_orbits(&InSteps(Rk4)) < LINE && gaps.into_iter().any(|gap| gap > LINE);
         show_all(gaps, Significant(1), met)
     }),
     ("P6.4.elong", |_| {
         let ratio = level_curves::PORTRAIT.map(|theta_0| {
-            let orbit = level_curves::portrait(&Rk4, theta_0);
+            let orbit = level_curves::portrait(&InSteps(Rk4), theta_0);
             let fastest = orbit.iter().fold(0.0, |fastest: f64, z| fastest.max(z.omega.abs()));
             fastest / (Pendulum::PAPER.small_angle_frequency() * theta_0)
         });

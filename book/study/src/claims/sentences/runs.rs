@@ -1,6 +1,7 @@
 //! Runs and readings behind single sentences, beside those of the study's experiments.
 
 use core::f64::consts::FRAC_PI_2;
+use pendula::registry::InSteps;
 
 use super::*;
 
@@ -105,7 +106,7 @@ pub(super) fn period_of_eq_5(theta_0: f64) -> f64 {
 pub(super) fn period_of_a_run(theta_0: f64) -> f64 {
     let mut watch = <CrossingPeriod>::default();
     let grid = grid(large_angle::DURATION, large_angle::STEP);
-    Rk4.run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut watch);
+    InSteps(Rk4).run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut watch);
     watch.period().unwrap_or(f64::NAN)
 }
 
@@ -182,12 +183,13 @@ pub(super) fn gap_of_the_orbits(method: &dyn AnyMethod) -> f64 {
 /// RK4's error of a single step over the smallest of the paper's other methods: the largest of four
 /// states and three steps.
 pub(super) fn rk4_over_the_next_in_a_step() -> f64 {
-    let others: [&dyn AnyMethod; 3] = [&ForwardEuler, &SymplecticEuler, &StormerVerlet];
+    let others: [&dyn AnyMethod; 3] =
+        [&InSteps(ForwardEuler), &InSteps(SymplecticEuler), &InSteps(StormerVerlet)];
     let states = [(0.05, 0.1), (1.0, 1.0), (2.0, -1.0), (3.0, 2.0)];
     let cases = states.into_iter().flat_map(|z| [0.1, 0.01, 0.001].map(|h| (z, h)));
     let ratios = cases.map(|((theta, omega), h)| {
         let error = |method| findings::one_step_error(method, Phase { theta, omega }, h);
-        error(&Rk4) / others.into_iter().map(error).fold(f64::INFINITY, libm::fminimum)
+        error(&InSteps(Rk4)) / others.into_iter().map(error).fold(f64::INFINITY, libm::fminimum)
     });
     ratios.fold(0.0, libm::fmaximum)
 }
@@ -195,7 +197,7 @@ pub(super) fn rk4_over_the_next_in_a_step() -> f64 {
 /// The turning points of forward Euler's run of Figure 4, on the parameters of Table 6: the energy
 /// gained by then (J), and the angle (rad) of the sample that is furthest out.
 pub(super) fn turning_points_of_figure_4() -> Vec<(f64, f64)> {
-    let run = small_angle::trajectory(&ForwardEuler, 0.01);
+    let run = small_angle::trajectory(&InSteps(ForwardEuler), 0.01);
     let energy = energy_error(&run);
     let out = |n: usize| run[n].1.theta.abs();
     let turns = (1..run.len() - 1).filter(|&n| out(n) > out(n - 1) && out(n) >= out(n + 1));

@@ -180,7 +180,7 @@ impl Curve {
             let motion = Motion::new(&Pendulum::PAPER, self.release.start).expect("a finite start");
             let count = |i| {
                 let start = motion.at(self.release.period * (i as f64 / EIGHTHS as f64));
-                self.method.count_evaluations(&Pendulum::PAPER, start, &some)
+                super::evaluations(self.method, start, &some)
             };
             let counted: u64 = (0..starts).map(count).sum();
             (counted as f64 / (starts * some.steps()) as f64 * (steps * self.periods) as f64) as u64
@@ -356,7 +356,7 @@ mod tests {
                 let excess = all.clone().map(|steps| {
                     let curve = Curve { method, release, periods, points: Vec::new() };
                     let grid = release.grid(steps, periods);
-                    let whole = method.count_evaluations(&Pendulum::PAPER, release.start, &grid);
+                    let whole = crate::experiments::evaluations(method, release.start, &grid);
                     curve.evaluations(steps) as f64 / whole as f64 - 1.0
                 });
                 let mean = excess.sum::<f64>() / all.count() as f64;
@@ -380,7 +380,7 @@ mod tests {
                 let (method, points) = (named(name), Vec::new());
                 let curve = Curve { method, release, periods: 1, points };
                 let grid = release.grid(steps, 1);
-                let whole = method.count_evaluations(&Pendulum::PAPER, release.start, &grid);
+                let whole = crate::experiments::evaluations(method, release.start, &grid);
                 let excess = curve.evaluations(steps) as f64 / whole as f64 - 1.0;
                 assert!(excess.abs() < 0.03, "{name} in {steps} steps: {excess}");
             }

@@ -1,58 +1,46 @@
-//! Runs that are left and continued: the same samples, with the same bits, as if nothing had
+//! Runs that are left and taken further: the same samples, with the same bits, as if nothing had
 //! happened.
 
 use std::num::NonZeroU64;
 
-use pendula::fast::FastRun;
-use pendula::integrate::{Checkpoint, Every, Run};
+use pendula::integrate::{Every, Run};
 use pendula::methods::BlanesMoan6;
 use pendula::metrics::EnergyDrift;
-use pendula::systems::{DoublePhase, Driven, Joint, Separable};
+use pendula::systems::{Driven, Separable};
 use pendula::{
-    AnyMethod, DoublePendulum, Grid, Observer, Pendulum, Phase, Rk4, StormerVerlet, System,
-    integrate, integrate_fast, state,
+    AnyMethod, Grid, Observer, Pendulum, Phase, Rk4, StormerVerlet, System, integrate,
+    integrate_fast, method_named, state,
 };
 
-use crate::common::{First, Samples, steps, steps_on, try_integrate};
+use crate::common::{First, Samples, on};
 
 const STEPS: u64 = 11;
 
 /// Strides that divide the number of steps, that do not, that reach the end, and that do not.
 const STRIDES: [u64; 6] = [1, 2, 4, 11, 12, u64::MAX];
 
-/// A checkpoint that went through a file: its numbers alone.
-fn written(at: &Checkpoint) -> Checkpoint {
-    let bits = at.numbers().map(f64::to_bits);
-    Checkpoint::new(at.steps(), bits.map(f64::from_bits))
-}
-
 /// The samples and the end of a run that is left after `leave` steps, with samples every `every`.
 fn in_two_parts(
-    method: &dyn AnyMethod,
-    pendulum: &Pendulum,
+    mut run: Run<'_, Phase>,
     start: Phase,
-    grid: &Grid,
     [leave, every]: [u64; 2],
 ) -> (Samples, Phase) {
     let every = NonZeroU64::new(every).unwrap();
     let mut samples = Samples::default();
     samples.observe(0, 0.0, start);
-    let mut run = FastRun::start(pendulum, steps(method), start, grid);
     run.advance(leave, every, &mut samples).unwrap();
-    assert_eq!(run.checkpoint().steps(), leave);
-    let at = written(run.checkpoint());
-    let mut later = FastRun::resume(pendulum, steps(method), start, grid, at);
+    assert_eq!(run.steps(), leave);
     // Beyond the end there is nothing.
-    let end = later.advance(grid.steps() + 5, every, &mut samples);
-    (samples, end.unwrap())
+    let end = run.advance(STEPS + 5, every, &mut samples);
+    assert_eq!((run.steps(), run.state()), (STEPS, end.unwrap()));
+    (samples, run.state())
 }
 
 /// For every method, for scenes with time in steps and (where angles are large) in seconds, left
 /// after every number of steps, for every stride.
 ///
-/// Catches: a carry that is computed again, which merges half kicks differently; a carry or a
-/// deferred sum that is not kept whole; a time or a stride counted from where the run was resumed;
-/// a sample seen twice or never; another unit of time after the resumption.
+/// Catches: a carry that is computed again, which merges half kicks differently; a time or a stride
+/// counted from where the run was left; a sample seen twice or never.
 fn a_run_in_parts_is_the_run(method: &dyn AnyMethod) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
     let grid = Grid::new(0.07, STEPS).unwrap();
@@ -63,7 +51,8 @@ fn a_run_in_parts_is_the_run(method: &dyn AnyMethod) {
             let end = method.run(&pendulum, start, &grid, &mut watch);
             let whole = watch.into_inner();
             for leave in 0..=STEPS {
-                let parts = in_two_parts(method, &pendulum, start, &grid, [leave, every]);
+                let run = method.begin(&pendulum, start, &grid);
+                let parts = in_two_parts(run, start, [leave, every]);
                 let case = format!("from {start:?}, left after {leave}, every {every}");
                 assert_eq!(parts, (whole.clone(), end), "{case}");
             }
@@ -74,43 +63,27 @@ each_method!(a_run_in_parts_is_the_run);
 
 /// Under a drive, the force depends on the time; every method for such systems.
 ///
-/// Catches: a time that begins anew where a run is resumed, also within a step.
+/// Catches: a time that begins anew where a run is left, also within a step.
 fn a_driven_run_in_parts_is_the_run(method: &dyn AnyMethod) {
     let driven = Driven::taylor(1.07).unwrap();
     let start = Phase { theta: -0.4, omega: 1.2 };
     let grid = Grid::new(0.01, STEPS).unwrap();
-    let method = steps_on(method);
+    let method = on(method);
     let mut whole = Samples::default();
-    let end = try_integrate(&driven, method, start, &grid, &mut whole);
+    let end = method.run(&driven, start, &grid, &mut whole);
     for leave in 0..=STEPS {
-        let mut parts = Samples::default();
-        parts.observe(0, 0.0, start);
-        let mut run = Run::start(&driven, method, start, &grid);
-        run.advance(leave, NonZeroU64::MIN, &mut parts).unwrap();
-        let mut later = Run::resume(&driven, method, &grid, written(run.checkpoint()));
-        assert_eq!(later.advance(STEPS, NonZeroU64::MIN, &mut parts), end);
-        assert_eq!(parts, whole, "left after {leave}");
+        let run = method.begin(&driven, start, &grid);
+        let parts = in_two_parts(run, start, [leave, 1]);
+        assert_eq!(parts, (whole.clone(), end), "left after {leave}");
+        // From its last state alone: rounding, where the method carries more than that.
+        let mut run = method.begin(&driven, start, &grid);
+        let there = run.advance(leave, NonZeroU64::MIN, &mut ()).unwrap();
+        let mut later = method.begin_at(&driven, there, &grid, leave);
+        let z = later.advance(STEPS, NonZeroU64::MIN, &mut ()).unwrap();
+        assert!((z.theta - end.theta).abs() < 1e-14 && (z.omega - end.omega).abs() < 1e-14);
     }
 }
 each_general_method!(a_driven_run_in_parts_is_the_run);
-
-/// Four numbers in the state, and no carry.
-///
-/// Catches: components exchanged on their way through a checkpoint.
-#[test]
-fn a_state_of_four_numbers_is_kept_too() {
-    let [upper, lower] = [(1.3, 0.7), (0.6, 1.9)].map(|(length, mass)| Joint { length, mass });
-    let double = DoublePendulum::new(9.81, upper, lower).unwrap();
-    let start = double.start([2.0, -0.5], [0.3, 1.5]).unwrap();
-    let grid = Grid::new(0.01, STEPS).unwrap();
-    let mut run = Run::start(&double, &Rk4, start, &grid);
-    let there = run.advance(4, NonZeroU64::MIN, &mut ()).unwrap();
-    let DoublePhase { theta1, theta2, p1, p2 } = there;
-    assert_eq!(run.checkpoint().numbers()[..4], [theta1, theta2, p1, p2]);
-    let mut later = Run::resume(&double, &Rk4, &grid, written(run.checkpoint()));
-    let end = later.advance(STEPS, NonZeroU64::MIN, &mut ());
-    assert_eq!(end, Ok(integrate(&double, &Rk4, start, &grid, &mut ())));
-}
 
 /// Catches: a run that goes on although its observer has seen enough, or takes no step where it was
 /// satisfied; an end that is not the state observed last.
@@ -118,38 +91,32 @@ fn a_state_of_four_numbers_is_kept_too() {
 fn a_satisfied_observer_ends_a_part() {
     let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
     let grid = Grid::new(0.07, STEPS).unwrap();
-    let mut run = FastRun::start(&pendulum, &Rk4, start, &grid);
+    let mut run = method_named("rk4").unwrap().begin(&pendulum, start, &grid);
     let two = NonZeroU64::new(2).unwrap();
     let end = run.advance(STEPS, two, &mut First::<3>::default()).unwrap();
-    assert_eq!(run.checkpoint().steps(), 6);
+    assert_eq!(run.steps(), 6);
     assert_eq!(end, integrate_fast(&pendulum, &Rk4, start, &Grid::new(0.07, 6).unwrap(), &mut ()));
     assert_eq!(run.advance(STEPS, two, &mut First::<3>(vec![end; 3])), Ok(end));
-    assert_eq!(run.checkpoint().steps(), 6);
+    assert_eq!(run.steps(), 6);
 }
 
-/// The counts of the parts are those of the whole: with time in seconds the very count of the
-/// whole run in seconds, for iterations too.
-///
-/// Catches: evaluations before the first step counted again or forgotten, those of the last part
-/// alone.
+/// Catches: evaluations before the first step forgotten, those of the last part alone, those of
+/// steps that are taken again because the observer was satisfied in the midst of a block.
 fn the_evaluations_of_the_parts_add_up(method: &dyn AnyMethod) {
     let pendulum = Pendulum::new(5.0, 2.0, 3.0).unwrap();
     let grid = Grid::new(0.07, STEPS).unwrap();
-    for (theta, scaled) in [(1.0, true), (2e6, false)] {
+    // In steps and, where angles are large, in seconds.
+    for theta in [1.0, 2e6] {
         let start = Phase { theta, omega: 0.3 };
-        let mut run = FastRun::start(&pendulum, steps(method), start, &grid);
-        run.advance(4, NonZeroU64::MIN, &mut ()).unwrap();
-        let at = *run.checkpoint();
-        let mut later = FastRun::resume(&pendulum, steps(method), start, &grid, at);
-        later.advance(STEPS, NonZeroU64::MIN, &mut EnergyDrift::new(&pendulum)).unwrap();
-        let counted = run.evaluations() + later.evaluations();
+        let mut run = method.begin(&pendulum, start, &grid);
+        run.advance(STEPS, NonZeroU64::MIN, &mut First::<4>::default()).unwrap();
+        assert_eq!(run.steps(), 4);
+        run.advance(STEPS, NonZeroU64::MIN, &mut EnergyDrift::new(&pendulum)).unwrap();
+        assert_eq!(run.evaluations(), method.count_evaluations(&pendulum, start, &grid));
         let info = method.info();
         if !info.implicit {
             let declared = STEPS * info.force_evaluations;
-            assert_eq!(counted, declared + info.start_evaluations);
-        }
-        if !scaled {
-            assert_eq!(counted, method.count_evaluations(&pendulum, start, &grid));
+            assert_eq!(run.evaluations(), declared + info.start_evaluations);
         }
     }
 }
@@ -212,7 +179,7 @@ impl Separable for Springs {
 
 /// A state of eight numbers, with a carry of as many.
 ///
-/// Catches: a checkpoint without room for a state and a carry of that size, which panicked.
+/// Catches: a run without room for a state and a carry of that size.
 #[test]
 fn two_bodies_in_the_plane_fit() {
     let start = TwoBodies { x1: 1.0, y2: -0.5, v1: 0.3, u2: 0.7, ..TwoBodies::default() };

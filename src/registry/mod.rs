@@ -1,0 +1,39 @@
+//! The library's methods, and methods that are chosen at run time.
+//!
+//! [`METHODS`] is the one list that tests, tables, benches and book use: the methods on the
+//! pendulum, of which [`method_named`] finds one. They take its steps as
+//! [`integrate_fast`](crate::integrate_fast()) does, with the step as the unit of time: the last
+//! bits differ from those of [`integrate`](crate::integrate()), and it takes two thirds of the
+//! time. A method that is made [`AnyMethod`] from its type has the bits of
+//! [`integrate`](crate::integrate()), as those have that [`in_seconds`] finds; within [`InSteps`]
+//! it takes the faster steps too.
+//!
+//! On other systems of the library methods are found by [`ByName::method_named`]; on a system of
+//! your own by [`method_for`], or by [`method_for_separable`] if it is
+//! [`Separable`](crate::Separable):
+//!
+//! ```
+//! use pendula::registry::{ByName, method_for};
+//! use pendula::{Damped, Grid, LinearOscillator, Pendulum, Phase, method_named};
+//!
+//! let (start, grid) = (Phase::at_rest(1.0), Grid::with_duration(0.01, 1.0)?);
+//! let rk4 = method_named("rk4").expect("a method of the library");
+//! let free = rk4.end(&Pendulum::PAPER, start, &grid);
+//!
+//! let damped = Damped::new(Pendulum::PAPER, 0.1)?;
+//! let slower = Damped::method_named("rk4").expect("as above").end(&damped, start, &grid);
+//! assert!(slower.omega.abs() < free.omega.abs());
+//!
+//! let spring = LinearOscillator::new(9.81);
+//! let swing = method_for("rk4").expect("a Runge–Kutta method").end(&spring, start, &grid);
+//! assert!((swing.theta - 9.81_f64.sqrt().cos()).abs() < 1e-8);
+//! # Ok::<(), pendula::Error>(())
+//! ```
+
+mod any;
+mod list;
+mod names;
+
+pub use any::{AnyMethod, InSteps};
+pub use list::{METHODS, method_named};
+pub use names::{ByName, in_seconds, method_for, method_for_separable};
