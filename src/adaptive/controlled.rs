@@ -2,8 +2,7 @@
 
 use super::Tolerance;
 use super::control::Controller;
-use super::steps::Interpolant;
-use crate::methods::runge_kutta::Embedded;
+use crate::methods::runge_kutta::{Embedded, Interpolant};
 use crate::systems::{Components, Counting, RateOf, System};
 
 #[diagnostic::on_unimplemented(

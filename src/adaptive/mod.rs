@@ -36,7 +36,6 @@ mod tolerance;
 pub use controlled::Controlled;
 pub use events::{Crossing, Crossings, Direction, Event, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;
-pub(crate) use steps::Interpolant;
 pub use steps::{AdaptiveSteps, Counts, Dense, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};

@@ -4,8 +4,8 @@
 use super::Tolerance;
 use super::control::{GROW, SHRINK};
 use super::controlled::{Controlled, Times, time_scale};
-use super::steps::Interpolant;
 use crate::arithmetic::sine::ROUNDER;
+use crate::methods::runge_kutta::Interpolant;
 use crate::systems::{Analytic, Components, Counting, RateOf, System, Vector};
 
 /// The Taylor series of the motion, to an order that follows from the tolerance, in steps that

@@ -3,7 +3,8 @@
 use super::Adaptive;
 use super::controlled::{Controlled, Times};
 use crate::error::{Error, finite};
-use crate::systems::{Components, Counting, State, System, Vector};
+use crate::methods::runge_kutta::Interpolant;
+use crate::systems::{Components, Counting, State, System};
 
 /// The cost of a sequence of steps so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -276,29 +277,6 @@ pub struct Dense<Z, C> {
     end: f64,
     z: Z,
     coefficients: C,
-}
-
-/// A displacement within a step, as a polynomial.
-pub trait Interpolant<D> {
-    /// The displacement at the fraction `s` of the step; none if there are no coefficients.
-    fn displacement(&self, s: f64) -> Option<D>;
-}
-
-impl<D: Vector, const N: usize> Interpolant<D> for [D; N] {
-    /// With c₁, c₂, … the coefficients it is
-    ///
-    /// s (c₁ + (1 − s)(c₂ + s (c₃ + (1 − s)(c₄ + …)))),
-    ///
-    /// so that at s = 1 it ends on exactly the state of the step (Hairer, Nørsett, Wanner, *Solving
-    /// Ordinary Differential Equations I*, Sect. II.6).
-    fn displacement(&self, s: f64) -> Option<D> {
-        let (last, others) = self.split_last()?;
-        let mut sum = *last;
-        for (i, c) in others.iter().enumerate().rev() {
-            sum = *c + sum * if i % 2 == 0 { 1.0 - s } else { s };
-        }
-        Some(sum * s)
-    }
 }
 
 impl<Z: State, C: Interpolant<Z::Displacement>> Dense<Z, C> {

@@ -2,9 +2,9 @@
 
 use super::root::root;
 use super::stroboscope::Stroboscope;
-use super::variation::{Bundle, Linearised, Variational};
+use super::variation::{Bundle, Variational};
 use crate::integrate::Method;
-use crate::systems::Phase;
+use crate::systems::{Linearised, Phase};
 
 /// The monodromy matrix: the linear map of small displacements from an orbit over its period, by
 /// its two columns.

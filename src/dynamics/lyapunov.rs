@@ -1,10 +1,10 @@
 //! How quickly neighbouring trajectories separate.
 
 use super::stroboscope::Stroboscope;
-use super::variation::{Bundle, Linearised, Variational};
+use super::variation::{Bundle, Variational};
 use crate::error::{Error, checked};
 use crate::integrate::Method;
-use crate::systems::Phase;
+use crate::systems::{Linearised, Phase};
 
 /// A Lyapunov exponent (1/s): the mean rate at which the logarithm of a small distance grows.
 #[derive(Clone, Copy, Debug, PartialEq)]

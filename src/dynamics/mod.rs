@@ -36,12 +36,4 @@ pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
 pub use lyapunov::{Exponent, largest_exponent};
 pub use root::root;
 pub use stroboscope::Stroboscope;
-pub use variation::{Bundle, Linearised, Variational};
-
-use crate::systems::Phase;
-
-/// √(θ² + ω²/ω₀²) (rad), with ω₀ = `frequency` (rad/s).
-pub(crate) fn size(v: Phase, frequency: f64) -> f64 {
-    let omega = v.omega / frequency;
-    libm::sqrt(v.theta * v.theta + omega * omega)
-}
+pub use variation::{Bundle, Variational};

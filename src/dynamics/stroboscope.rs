@@ -1,9 +1,9 @@
 //! A periodically driven system, sampled once a period.
 
-use super::variation::{Bundle, Linearised, Variational};
+use super::variation::{Bundle, Variational};
 use crate::error::{Error, checked, positive};
 use crate::integrate::{Grid, Method, integrate};
-use crate::systems::{Phase, System};
+use crate::systems::{Linearised, Phase, System};
 
 /// The stroboscopic map, which is the Poincaré map of a driven system: from the state at the
 /// beginning of a period of the drive to the state at its end.

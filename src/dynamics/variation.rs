@@ -3,17 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, Mul};
 
-use crate::systems::{RateOf, State, System, Vector};
-
-/// A system with the derivative of its rate of change.
-pub trait Linearised: System {
-    /// The derivative of [`System::rate`] at time `t` (s) and the state `z` along the displacement
-    /// `v`: the right-hand side of the variational equation v̇ = Df(t, z) v.
-    fn tangent(&self, t: f64, z: Self::State, v: RateOf<Self>) -> RateOf<Self>;
-
-    /// The size of a displacement, in a norm that makes its components comparable.
-    fn size(&self, v: RateOf<Self>) -> f64;
-}
+use crate::systems::{Linearised, RateOf, State, System, Vector};
 
 /// A system together with N infinitesimal displacements: a system too, which any method for systems
 /// can step.

@@ -1,8 +1,8 @@
 //! The damped pendulum.
 
 use crate::arithmetic::sine::{cos, half_turn, sin};
-use crate::dynamics::Linearised;
 use crate::error::{Error, not_negative};
+use crate::systems::linearised::{Linearised, size};
 use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 
 /// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² =
@@ -145,6 +145,6 @@ impl Linearised for Damped {
     }
 
     fn size(&self, v: Phase) -> f64 {
-        crate::dynamics::size(v, self.pendulum.small_angle_frequency())
+        size(v, self.pendulum.small_angle_frequency())
     }
 }

@@ -4,9 +4,8 @@ use core::f64::consts::PI;
 
 use super::Damped;
 use crate::arithmetic::sine::cos;
-use crate::dynamics::Linearised;
 use crate::error::{self, Error, finite};
-use crate::systems::{Pendulum, Phase, Separable, System};
+use crate::systems::{Linearised, Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
 ///

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use crate::arithmetic::sine::{cos, half_turn};
-use crate::dynamics::Linearised;
 use crate::error::{self, Error, finite, not_negative};
+use crate::systems::linearised::{Linearised, size};
 use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ²
@@ -133,6 +133,6 @@ impl Linearised for Shaken {
     }
 
     fn size(&self, v: Phase) -> f64 {
-        crate::dynamics::size(v, self.pendulum.small_angle_frequency())
+        size(v, self.pendulum.small_angle_frequency())
     }
 }

@@ -2,8 +2,7 @@
 //! motion of each system against central differences of its rate.
 
 use approx::assert_relative_eq;
-use pendula::dynamics::Linearised;
-use pendula::systems::{Damped, Driven, Shaken};
+use pendula::systems::{Damped, Driven, Linearised, Shaken};
 use pendula::verify::properties::pendulum;
 use pendula::{LinearOscillator, Motion, Phase};
 use rstest::rstest;

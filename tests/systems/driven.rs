@@ -4,8 +4,9 @@
 use std::cell::RefCell;
 
 use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit};
+use pendula::dynamics::{Bundle, Stroboscope, largest_exponent, periodic_orbit};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
+use pendula::systems::Linearised;
 use pendula::verify::properties::driven::{Pushed, check, check_euler};
 use pendula::verify::properties::near;
 use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};

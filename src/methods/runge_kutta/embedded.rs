@@ -1,6 +1,5 @@
 //! Runge–Kutta methods that estimate their own error.
 
-use crate::adaptive::Interpolant;
 use crate::systems::{RateOf, System, Vector};
 
 /// A Runge–Kutta method that estimates its own error and has dense output.
@@ -59,4 +58,27 @@ pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
     let second = start_slope + step * -1.0;
     let third = step + end_slope * -1.0 + second * -1.0;
     [step, second, third]
+}
+
+/// A displacement within a step, as a polynomial.
+pub trait Interpolant<D> {
+    /// The displacement at the fraction `s` of the step; none if there are no coefficients.
+    fn displacement(&self, s: f64) -> Option<D>;
+}
+
+impl<D: Vector, const N: usize> Interpolant<D> for [D; N] {
+    /// With c₁, c₂, … the coefficients it is
+    ///
+    /// s (c₁ + (1 − s)(c₂ + s (c₃ + (1 − s)(c₄ + …)))),
+    ///
+    /// so that at s = 1 it ends on exactly the state of the step (Hairer, Nørsett, Wanner, *Solving
+    /// Ordinary Differential Equations I*, Sect. II.6).
+    fn displacement(&self, s: f64) -> Option<D> {
+        let (last, others) = self.split_last()?;
+        let mut sum = *last;
+        for (i, c) in others.iter().enumerate().rev() {
+            sum = *c + sum * if i % 2 == 0 { 1.0 - s } else { s };
+        }
+        Some(sum * s)
+    }
 }

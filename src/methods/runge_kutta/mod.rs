@@ -17,7 +17,7 @@ pub mod tableau;
 
 pub use dop853::Dop853;
 pub use dormand_prince::DormandPrince;
-pub use embedded::{Embedded, hermite};
+pub use embedded::{Embedded, Interpolant, hermite};
 pub use explicit_midpoint::ExplicitMidpoint;
 pub use forward_euler::ForwardEuler;
 pub use heun::Heun;

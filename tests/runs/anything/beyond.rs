@@ -6,11 +6,12 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::dynamics::floquet::monodromy;
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{
-    Linearised, Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling,
-    periodic_orbit, root,
+    Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
 };
 use pendula::methods::{Dop853, DormandPrince, Gauss6, Rk4, StormerVerlet};
-use pendula::systems::{DoublePendulum, DoublePhase, Ellipse, Joint, Kepler, PlanePhase, Shaken};
+use pendula::systems::{
+    DoublePendulum, DoublePhase, Ellipse, Joint, Kepler, Linearised, PlanePhase, Shaken,
+};
 use pendula::{
     Damped, Driven, Grid, Hamiltonian, LinearOscillator, Pendulum, Phase, Separable, System,
     integrate,
