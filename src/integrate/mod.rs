@@ -19,6 +19,8 @@ use crate::systems::System;
     message = "`{Self}` is no method for `{S}`",
     note = "a splitting method is one for systems that are `Separable`; a method such as `Rk4` is \
             one for every system",
+    note = "an implicit method, such as `Gauss4`, is one for systems whose state has `Components`, \
+            as one made by `pendula::state!` has",
     note = "a method of your own is one by `impl<S: System> Method<S>`"
 )]
 /// A one-step method for the system `S`: an immutable value that maps a state to the state one step

@@ -20,7 +20,9 @@
 //! A state of named components, made by [`state!`](crate::state), and an implementation of
 //! [`System`] with the equations. Add [`Separable`] if the equations split into kick and drift, and
 //! every splitting method integrates it too; add [`Hamiltonian`] if there is an energy, and its
-//! drift can be measured.
+//! drift can be measured. Where the numbers of a state have no names, it is an [`Array`], or for
+//! particles an [`ArrayPhase`]; where the equations are a line or two, a closure is a system by
+//! [`FromRate`].
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;
@@ -69,10 +71,12 @@
 //! ```
 
 mod analytic;
+mod array;
 mod compensated;
 mod damped;
 mod double_pendulum;
 mod driven;
+mod from_rate;
 mod gradient;
 mod kepler;
 mod linear_oscillator;
@@ -86,10 +90,12 @@ mod state;
 mod system;
 
 pub use analytic::Analytic;
+pub use array::{Array, ArrayPhase};
 pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
 pub use driven::Driven;
+pub use from_rate::FromRate;
 pub use gradient::{ForceGradient, Processor};
 pub use kepler::{Ellipse, Kepler, Planar, PlanePhase};
 pub use linear_oscillator::LinearOscillator;
@@ -100,5 +106,5 @@ pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum, energy_in_lanes};
 pub(crate) use pendulum_series::{growth, terms};
 pub use shaken::{Mathieu, Shaken};
-pub use state::{Components, Measurable, Numbers, Phase, State, Vector};
+pub use state::{Component, Components, Measurable, Numbers, Phase, State, Vector};
 pub use system::{Counting, Hamiltonian, RateOf, Separable, System};

@@ -5,8 +5,10 @@ use core::ops::{Add, Mul};
 use crate::arithmetic::number::Number;
 
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no named components that can be added and scaled",
-    note = "`pendula::state!` makes a state of named components"
+    message = "`{Self}` has no components that can be added and scaled",
+    note = "`pendula::state!` makes a state of named components; `pendula::systems::Array` is one \
+            of numbers without names",
+    note = "a state is copied, which a `Vec` cannot be"
 )]
 /// A rate of change, or a small displacement: it can be added and scaled.
 ///
@@ -16,7 +18,8 @@ pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no state of a system",
-    note = "`pendula::state!` makes a state of named components"
+    note = "`pendula::state!` makes a state of named components; `pendula::systems::Array` is one \
+            of numbers without names"
 )]
 /// A state: a displacement can be added to it.
 ///
@@ -31,6 +34,11 @@ impl<V: Vector> State for V {
     type Displacement = V;
 }
 
+#[diagnostic::on_unimplemented(
+    message = "the components of `{Self}` cannot be looked at one by one",
+    note = "steps that vary and implicit methods do so; `pendula::state!` makes a state for them, \
+            or implement `pendula::Components` for it"
+)]
 /// A state whose components are numbers, so that an error in each can be compared with its
 /// tolerance.
 pub trait Components: State {
@@ -48,9 +56,15 @@ pub trait Components: State {
     fn map_components(self, each: impl FnMut(f64) -> f64) -> Self;
 }
 
-/// A state of which sizes can be compared: what the iteration of an implicit method needs. Every
-/// state of named [`Components`] is one, and so are many such states in lanes.
-#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "sizes of `{Self}` cannot be compared",
+    note = "implicit methods do so; `pendula::state!` makes a state for them, or implement \
+            `pendula::Components` for it"
+)]
+/// A state of which sizes can be compared: what the iteration of an implicit method needs.
+///
+/// Every state with [`Components`] is one, so that a state of your own implements those instead;
+/// and so are many such states in lanes.
 pub trait Measurable: State {
     /// A size: one number, or one for each lane.
     type Number: Number;
@@ -135,9 +149,13 @@ impl<Z: Components> Measurable for Z {
     }
 }
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be taken apart into numbers",
+    note = "a run behind a pointer does so; `pendula::state!` makes a state for it, or implement \
+            `pendula::systems::Numbers` for it"
+)]
 /// What can be taken apart into numbers and put together again with the same bits: a state, or what
 /// a step carries to the next.
-#[doc(hidden)]
 pub trait Numbers<N = f64>: Copy {
     /// How many numbers it has.
     const COUNT: usize;
@@ -173,9 +191,118 @@ impl<N: Number> Numbers<N> for N {
     }
 }
 
-/// Defines a state of named components, each an `f64`: a struct that can be displaced and scaled,
-/// component by component, so that every method and the control of steps can work with it. A
-/// [`System`](crate::System) of your own then needs only its equations.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no component of a state",
+    note = "components are `f64` and arrays of them, `[f64; 6]` or `[[f64; 3]; 2]`: a state is \
+            copied, and `Vec` cannot be"
+)]
+/// What a component of a [`state!`](crate::state) may be: a number, or an array.
+#[doc(hidden)]
+pub trait Component: Copy {
+    /// How many numbers it has.
+    const COUNT: usize;
+
+    /// With all of them zero.
+    const ZERO: Self;
+
+    /// The sum, number by number.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+
+    /// The difference, number by number.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+
+    /// Each number times `factor`.
+    #[must_use]
+    fn times(self, factor: f64) -> Self;
+
+    /// As [`Components::for_each_component`].
+    fn for_each(self, other: Self, displacement: Self, each: &mut impl FnMut(f64, f64, f64));
+
+    /// As [`Components::map_components`].
+    #[must_use]
+    fn map_each(self, each: &mut impl FnMut(f64) -> f64) -> Self;
+}
+
+impl Component for f64 {
+    const COUNT: usize = 1;
+    const ZERO: Self = 0.0;
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        self - other
+    }
+
+    #[inline(always)]
+    fn times(self, factor: f64) -> Self {
+        self * factor
+    }
+
+    #[inline(always)]
+    fn for_each(self, other: Self, displacement: Self, each: &mut impl FnMut(f64, f64, f64)) {
+        each(self, other, displacement);
+    }
+
+    #[inline(always)]
+    fn map_each(self, each: &mut impl FnMut(f64) -> f64) -> Self {
+        each(self)
+    }
+}
+
+/// In loops: `map` is a call of a function where it is not compiled with this crate.
+impl<C: Component, const N: usize> Component for [C; N] {
+    const COUNT: usize = N * C::COUNT;
+    const ZERO: Self = [C::ZERO; N];
+
+    #[inline]
+    fn plus(mut self, other: Self) -> Self {
+        for (x, y) in self.iter_mut().zip(&other) {
+            *x = x.plus(*y);
+        }
+        self
+    }
+
+    #[inline]
+    fn minus(mut self, other: Self) -> Self {
+        for (x, y) in self.iter_mut().zip(&other) {
+            *x = x.minus(*y);
+        }
+        self
+    }
+
+    #[inline]
+    fn times(mut self, factor: f64) -> Self {
+        for x in &mut self {
+            *x = x.times(factor);
+        }
+        self
+    }
+
+    #[inline]
+    fn for_each(self, other: Self, displacement: Self, each: &mut impl FnMut(f64, f64, f64)) {
+        for ((x, y), d) in self.iter().zip(&other).zip(&displacement) {
+            x.for_each(*y, *d, each);
+        }
+    }
+
+    #[inline]
+    fn map_each(mut self, each: &mut impl FnMut(f64) -> f64) -> Self {
+        for x in &mut self {
+            *x = x.map_each(each);
+        }
+        self
+    }
+}
+
+/// Defines a state of named components, each an `f64` or an array: a struct that can be displaced
+/// and scaled, component by component, so that every method and the control of steps can work with
+/// it. A [`System`](crate::System) of your own then needs only its equations.
 ///
 /// ```
 /// use pendula::{Grid, Rk4, System, integrate, state};
@@ -209,50 +336,116 @@ impl<N: Number> Numbers<N> for N {
 /// assert!((constant(end) - constant(start)).abs() < 1e-8);
 /// # Ok::<(), pendula::Error>(())
 /// ```
+///
+/// Arrays may be of arrays, and of a length that is a parameter of the struct:
+///
+/// ```
+/// use pendula::methods::Gauss4;
+/// use pendula::systems::FromRate;
+/// use pendula::{Grid, integrate, state};
+///
+/// state! {
+///     /// Spinning tops without a torque: the angular momenta along their axes, and the time by a
+///     /// clock beside them.
+///     struct Tops<const N: usize> {
+///         momenta: [[f64; 3]; N],
+///         clock: f64,
+///     }
+/// }
+///
+/// // Euler's equations, for moments of inertia of 1, 2 and 3.
+/// let free = FromRate::new(|_t, z: Tops<2>| Tops {
+///     momenta: z.momenta.map(|[l1, l2, l3]| [-l2 * l3 / 6.0, 2.0 * l3 * l1 / 3.0, -0.5 * l1 * l2]),
+///     clock: 1.0,
+/// });
+/// let start = Tops { momenta: [[0.0, 1.0, 0.1], [1.0, 0.0, 0.1]], clock: 0.0 };
+/// let end = integrate(&free, &Gauss4, start, &Grid::with_duration(0.1, 100.0)?, &mut ());
+/// // Of each top the momentum keeps its length, which the method conserves, as a square.
+/// for (before, after) in start.momenta.into_iter().zip(end.momenta) {
+///     let square = |l: [f64; 3]| l.iter().map(|x| x * x).sum::<f64>();
+///     assert!((square(after) - square(before)).abs() < 1e-12);
+/// }
+/// assert!((end.clock - 100.0).abs() < 1e-11);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+///
+/// A state is `Copy`, so that steps and their stages need no allocator: `Vec` can be no component
+/// of it. For states without names see [`Array`](crate::systems::Array) and
+/// [`ArrayPhase`](crate::systems::ArrayPhase).
 #[macro_export]
 macro_rules! state {
     (
         $(#[$attribute:meta])*
-        $visibility:vis struct $State:ident {
-            $($(#[$of_component:meta])* $visible:vis $component:ident: f64),+ $(,)?
+        $visibility:vis struct $State:ident $(<$(const $N:ident: usize),+ $(,)?>)? {
+            $($(#[$of_component:meta])* $visible:vis $component:ident: $Component:ty),+ $(,)?
         }
     ) => {
         $(#[$attribute])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        $visibility struct $State {
-            $($(#[$of_component])* $visible $component: f64,)+
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        $visibility struct $State $(<$(const $N: usize),+>)? {
+            $($(#[$of_component])* $visible $component: $Component,)+
         }
 
-        impl ::core::ops::Add for $State {
+        $crate::state_operations! {
+            [$($(const $N: usize),+)?] $State [$($($N),+)?] { $($component: $Component,)+ }
+        }
+    };
+}
+
+/// What makes a struct a state, its components named or numbered.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! state_operations {
+    ([$($generics:tt)*] $State:ident [$($N:tt)*] { $($component:tt: $Component:ty,)+ }) => {
+        impl<$($generics)*> ::core::default::Default for $State<$($N)*> {
+            #[inline]
+            fn default() -> Self {
+                Self { $($component: <$Component as $crate::systems::Component>::ZERO,)+ }
+            }
+        }
+
+        impl<$($generics)*> ::core::ops::Add for $State<$($N)*> {
             type Output = Self;
 
             #[inline]
             fn add(self, other: Self) -> Self {
-                Self { $($component: self.$component + other.$component,)+ }
+                Self {
+                    $($component: $crate::systems::Component::plus(
+                        self.$component,
+                        other.$component,
+                    ),)+
+                }
             }
         }
 
-        impl ::core::ops::Sub for $State {
+        impl<$($generics)*> ::core::ops::Sub for $State<$($N)*> {
             type Output = Self;
 
             #[inline]
             fn sub(self, other: Self) -> Self {
-                Self { $($component: self.$component - other.$component,)+ }
+                Self {
+                    $($component: $crate::systems::Component::minus(
+                        self.$component,
+                        other.$component,
+                    ),)+
+                }
             }
         }
 
-        impl ::core::ops::Mul<f64> for $State {
+        impl<$($generics)*> ::core::ops::Mul<f64> for $State<$($N)*> {
             type Output = Self;
 
             #[inline]
             fn mul(self, factor: f64) -> Self {
-                Self { $($component: self.$component * factor,)+ }
+                Self {
+                    $($component: $crate::systems::Component::times(self.$component, factor),)+
+                }
             }
         }
 
-        impl $crate::Vector for $State {}
+        impl<$($generics)*> $crate::Vector for $State<$($N)*> {}
 
-        impl $crate::Components for $State {
+        impl<$($generics)*> $crate::Components for $State<$($N)*> {
             #[inline]
             fn for_each_component(
                 self,
@@ -260,26 +453,36 @@ macro_rules! state {
                 displacement: Self,
                 mut each: impl FnMut(f64, f64, f64),
             ) {
-                $(each(self.$component, other.$component, displacement.$component);)+
+                $($crate::systems::Component::for_each(
+                    self.$component,
+                    other.$component,
+                    displacement.$component,
+                    &mut each,
+                );)+
             }
 
             #[inline]
             fn map_components(self, mut each: impl FnMut(f64) -> f64) -> Self {
-                Self { $($component: each(self.$component),)+ }
+                Self {
+                    $($component: $crate::systems::Component::map_each(
+                        self.$component,
+                        &mut each,
+                    ),)+
+                }
             }
         }
 
-        impl $crate::systems::Numbers for $State {
-            const COUNT: usize = [$(::core::stringify!($component)),+].len();
+        impl<$($generics)*> $crate::systems::Numbers for $State<$($N)*> {
+            const COUNT: usize = 0 $(+ <$Component as $crate::systems::Component>::COUNT)+;
 
             #[inline]
             fn write(self, write: &mut impl FnMut(f64)) {
-                $(write(self.$component);)+
+                $crate::Components::for_each_component(self, self, self, |x, _, _| write(x));
             }
 
             #[inline]
             fn read(next: &mut impl FnMut() -> f64) -> Self {
-                Self { $($component: next(),)+ }
+                $crate::Components::map_components(Self::default(), |_| next())
             }
         }
     };
