@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// An input that was refused, or a run that could not be completed.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A number outside its allowed range.
@@ -110,13 +110,6 @@ impl fmt::Display for Error {
                  motion takes for a radian"
             ),
         }
-    }
-}
-
-/// The same text, which is what `fn main() -> Result<(), Error>` prints.
-impl fmt::Debug for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
     }
 }
 

@@ -86,7 +86,7 @@
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed
 //! order, so that debug and release, and one machine and another, give the same bits.
 #![cfg_attr(not(any(feature = "verify", feature = "ensemble")), no_std)]
-#![warn(clippy::disallowed_methods)]
+#![warn(clippy::disallowed_methods, missing_debug_implementations)]
 
 #[cfg(feature = "alloc")]
 extern crate alloc;

@@ -1,5 +1,7 @@
 //! What is read from a walk: when functions of the state cross zero, and states at given times.
 
+use core::fmt;
+
 use super::controlled::Controlled;
 use super::steps::AdaptiveSteps;
 use crate::error::Error;
@@ -206,9 +208,29 @@ pub struct Crossings<'w, 'a, S: System<State: Components>, M: Controlled<S>, G> 
     search: Search<'w, 'a, S, M, One<G>, 1>,
 }
 
+impl<S, M, G> fmt::Debug for Crossings<'_, '_, S, M, G>
+where
+    S: System<State: Components>,
+    M: Controlled<S>,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Crossings").field("walk", self.search.walk).finish_non_exhaustive()
+    }
+}
+
 /// An iterator over the events in a sequence of steps: see [`AdaptiveSteps::events`].
 pub struct Events<'w, 'a, S: System<State: Components>, M: Controlled<S>, const N: usize> {
     search: Search<'w, 'a, S, M, Several<'w, S::State, N>, N>,
+}
+
+impl<S, M, const N: usize> fmt::Debug for Events<'_, '_, S, M, N>
+where
+    S: System<State: Components>,
+    M: Controlled<S>,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Events").field("walk", self.search.walk).finish_non_exhaustive()
+    }
 }
 
 impl<'a, S, M> AdaptiveSteps<'a, S, M>
@@ -291,6 +313,16 @@ pub struct StatesAt<'w, 'a, S: System<State: Components>, M: Controlled<S>, I> {
     walk: &'w mut AdaptiveSteps<'a, S, M>,
     times: I,
     failed: bool,
+}
+
+impl<S, M, I> fmt::Debug for StatesAt<'_, '_, S, M, I>
+where
+    S: System<State: Components>,
+    M: Controlled<S>,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("StatesAt").field("walk", self.walk).finish_non_exhaustive()
+    }
 }
 
 impl<'a, S: System<State: Components>, M: Controlled<S>> AdaptiveSteps<'a, S, M> {

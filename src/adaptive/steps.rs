@@ -1,5 +1,7 @@
 //! The sequence of adaptive steps, and their dense output: a state at every time within a step.
 
+use core::fmt;
+
 use super::Adaptive;
 use super::controlled::{Controlled, Times};
 use crate::error::{Error, finite};
@@ -71,6 +73,14 @@ struct Reading<S: System<State: Components>, M: Controlled<S>> {
     t: f64,
 }
 
+impl<S: System<State: Components>, M: Controlled<S>> Copy for Reading<S, M> {}
+
+impl<S: System<State: Components>, M: Controlled<S>> Clone for Reading<S, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
 /// An iterator over the steps from one time to another.
 ///
 /// It ends after an error. It also holds what a step carries to the next: the slope at its end, or
@@ -89,6 +99,24 @@ pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     failed: bool,
     /// None at the end of the last step.
     reading: Option<Reading<S, M>>,
+}
+
+/// A walk that takes the same steps on from here, and counts what it costs by itself. (Derived, it
+/// would ask that the system be `Clone`, which is only borrowed.)
+impl<S: System<State: Components>, M: Controlled<S>> Clone for AdaptiveSteps<'_, S, M> {
+    fn clone(&self) -> Self {
+        Self { system: self.system.clone(), ..*self }
+    }
+}
+
+impl<S: System<State: Components>, M: Controlled<S>> fmt::Debug for AdaptiveSteps<'_, S, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AdaptiveSteps")
+            .field("time", &self.t)
+            .field("end_time", &self.until)
+            .field("counts", &self.counts())
+            .finish_non_exhaustive()
+    }
 }
 
 impl<'a, S, M> AdaptiveSteps<'a, S, M>

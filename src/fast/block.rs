@@ -1,5 +1,6 @@
 //! A block of pendulums in lanes, and the loop over its steps.
 
+use core::fmt;
 use core::ops::ControlFlow;
 
 use super::instructions::Work;
@@ -23,6 +24,17 @@ pub struct Block<'a> {
     /// Every k-th state is asked for.
     pub(super) every: u64,
     pub(super) each: &'a mut Each<'a>,
+}
+
+impl fmt::Debug for Block<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { starts, steps, every, .. } = self;
+        f.debug_struct("Block")
+            .field("starts", starts)
+            .field("steps", steps)
+            .field("every", every)
+            .finish_non_exhaustive()
+    }
 }
 
 /// What is told the number of steps taken and the states then, and may end the run.

@@ -72,7 +72,7 @@ pub trait Hamiltonian: System {
 /// A system that counts how often its force is evaluated.
 ///
 /// A call of [`System::rate`] counts as one evaluation too: it contains one.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Counting<S> {
     system: S,
     evaluations: Cell<u64>,

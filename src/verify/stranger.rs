@@ -70,8 +70,8 @@ impl Request {
 }
 
 /// The line of the protocol that asks for it.
-impl core::fmt::Display for Request {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { g_over_l, drive, start: Phase { theta, omega }, step, steps, every } = self;
         match drive {
             None => write!(f, "pendulum {g_over_l:?}")?,

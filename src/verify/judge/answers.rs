@@ -18,7 +18,7 @@ pub struct Answers {
 }
 
 /// A method of the file that the stranger is, and how far it is off.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Match {
     pub known: &'static Known,
     /// In the file's tolerances, at most.

@@ -15,6 +15,7 @@ use crate::verify::stranger::Request;
 pub const POWERS: usize = 4;
 
 /// A term of the series.
+#[derive(Debug)]
 pub struct Term {
     /// Its name, in h, α and derivatives of α by the angle.
     pub name: &'static str,

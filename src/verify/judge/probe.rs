@@ -1,6 +1,8 @@
 //! How a stranger is asked: the requests of the judge, their answers checked, and the size of the
 //! stranger's own roundings.
 
+use core::fmt;
+
 use super::verdict::{Measured, Trouble};
 use crate::AnyMethod;
 use crate::exact::Motion;
@@ -32,6 +34,17 @@ pub struct Probe<'s> {
     tolerance: f64,
     /// The most steps of a request that it answers in time.
     longest: u64,
+}
+
+impl fmt::Debug for Probe<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { measured_rounding, tolerance, longest, .. } = self;
+        f.debug_struct("Probe")
+            .field("measured_rounding", measured_rounding)
+            .field("tolerance", tolerance)
+            .field("longest", longest)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Request {

@@ -39,7 +39,7 @@ use crate::{AnyMethod, Grid, Pendulum, Phase};
 pub type CheckResult = Result<(), String>;
 
 /// A property of methods, with the check that decides it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Property {
     /// Its name, which is that of its file.
     pub name: &'static str,
