@@ -59,6 +59,7 @@
 //!
 //! | feature | default | adds | needs |
 //! |---|---|---|---|
+//! | `alloc` | yes | `adaptive::Solution`, a walk that is kept | alloc |
 //! | `verify` | yes | the module `verify` | std |
 //! | `ensemble` | yes | `Ensemble` | std, the crate `fearless_simd` |
 //! | `table` | no | `methods::table`: methods by name in ensembles and on other systems | std; a minute to compile |

@@ -5,7 +5,8 @@
 //! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it.
 //! From it come the [states at given times](AdaptiveSteps::states_at), and on it
 //! [crossings](AdaptiveSteps::crossings) are found, the period or the passage over the top, and the
-//! [events](AdaptiveSteps::events) of several functions.
+//! [events](AdaptiveSteps::events) of several functions. Kept as a `Solution`, it can be looked up
+//! later.
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -29,6 +30,8 @@ pub(crate) mod control;
 mod controlled;
 mod events;
 pub(crate) mod series;
+#[cfg(feature = "alloc")]
+mod solution;
 mod steps;
 mod symmetric;
 mod tolerance;
@@ -36,6 +39,8 @@ mod tolerance;
 pub use controlled::Controlled;
 pub use events::{Crossing, Crossings, Direction, Event, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;
+#[cfg(feature = "alloc")]
+pub use solution::Solution;
 pub use steps::{AdaptiveSteps, Counts, Dense, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};

@@ -87,6 +87,37 @@ impl<S: System<State: Components>, M: Controlled<S>> Clone for Reading<S, M> {
 /// the series there. [Crossings](Self::crossings), [events](Self::events) and [states at given
 /// times](Self::states_at) can be read from it one after the other, each from where the one before
 /// ended, within a step too; the next step that is taken begins where the last one ended.
+///
+/// A walk borrows its system, and can be kept and taken further by whoever has both:
+///
+/// ```
+/// use pendula::adaptive::{Adaptive, AdaptiveSteps, Tolerance};
+/// use pendula::methods::Dop853;
+/// use pendula::{Error, Pendulum, Phase};
+///
+/// /// What an animation shows: a picture every 1/60 s.
+/// struct Animation<'a> {
+///     walk: AdaptiveSteps<'a, Pendulum, Dop853>,
+///     pictures: u32,
+/// }
+///
+/// impl Animation<'_> {
+///     fn next_picture(&mut self) -> Option<Result<Phase, Error>> {
+///         self.pictures += 1;
+///         self.walk.states_at([f64::from(self.pictures) / 60.0]).next()
+///     }
+/// }
+///
+/// let pendulum = Pendulum::PAPER;
+/// let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-9)?);
+/// let walk = adaptive.steps(&pendulum, Phase::at_rest(1.0), 0.0, 1.0)?;
+/// let mut animation = Animation { walk, pictures: 0 };
+/// for _ in 0..60 {
+///     animation.next_picture().expect("a second has sixty")?;
+/// }
+/// assert_eq!(animation.walk.time(), 1.0);
+/// # Ok::<(), pendula::Error>(())
+/// ```
 pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     adaptive: Adaptive<M>,
     system: Counting<&'a S>,
@@ -231,6 +262,14 @@ where
             (reading.s, reading.t) = (s, t);
         }
         z
+    }
+
+    /// The dense output of the step that is being read, whose end is then all that is left of it.
+    #[cfg(feature = "alloc")]
+    pub(super) fn rest_of_step(&mut self) -> Option<DenseOf<S, M>> {
+        let dense = self.dense_to_read().copied();
+        self.reading = None;
+        dense
     }
 
     fn dense_to_read(&mut self) -> Option<&DenseOf<S, M>> {

@@ -355,7 +355,7 @@ impl<C: Component, const N: usize> Component for [C; N] {
 ///
 /// // Euler's equations, for moments of inertia of 1, 2 and 3.
 /// let free = FromRate::new(|_t, z: Tops<2>| Tops {
-///     momenta: z.momenta.map(|[l1, l2, l3]| [-l2 * l3 / 6.0, 2.0 * l3 * l1 / 3.0, -0.5 * l1 * l2]),
+///     momenta: z.momenta.map(|[x, y, z]| [-y * z / 6.0, 2.0 * z * x / 3.0, -x * y / 2.0]),
 ///     clock: 1.0,
 /// });
 /// let start = Tops { momenta: [[0.0, 1.0, 0.1], [1.0, 0.0, 0.1]], clock: 0.0 };

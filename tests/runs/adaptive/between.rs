@@ -123,6 +123,56 @@ fn states_at_given_times_leave_the_steps_alone<M: Controlled<Pendulum>>(method: 
 }
 each_controlled!(states_at_given_times_leave_the_steps_alone);
 
+/// Catches: a step looked up beside the one that a time lies in, or in the wrong order where the
+/// walk leads back; the ends left out; a state where there is none.
+fn a_walk_that_is_kept_has_the_same_states<M: Controlled<Pendulum>>(method: M) {
+    let pendulum = Pendulum::PAPER;
+    for until in [5.0, -5.0, 0.0_f64] {
+        let kept = walk(&pendulum, method, 1e-9, until).solution().unwrap();
+        let ends: Vec<f64> =
+            walk(&pendulum, method, 1e-9, until).map(|step| step.unwrap().end_time()).collect();
+        let all = (0..=1000).map(|n| until * f64::from(n) / 1000.0).chain(ends);
+        let mut times: Vec<f64> = all.collect();
+        times.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let mut alone = walk(&pendulum, method, 1e-9, until);
+        for (&t, z) in times.iter().zip(alone.states_at(times.iter().copied())) {
+            assert_eq!(kept.at(t), Some(z.unwrap()), "{t} s");
+        }
+        assert_eq!((kept.start_time(), kept.end_time()), (0.0, until));
+        assert_eq!((kept.at(0.0), kept.at(until)), (Some(START), Some(alone.state())));
+        for t in [until.next_up().max(f64::MIN_POSITIVE), until.next_down().min(-1e-300)] {
+            let is_between = (0.0..=until).contains(&t) || (until..=0.0).contains(&t);
+            assert_eq!(kept.at(t).is_some(), is_between, "{t} s of {until} s");
+        }
+        assert_eq!(kept.at(f64::NAN), None);
+    }
+}
+each_controlled!(a_walk_that_is_kept_has_the_same_states);
+
+/// Catches: a kept walk that begins with the next step, or again at the start, where a step has
+/// been read in part; an error that is lost; a clone that moves with the walk.
+fn what_is_kept_is_the_rest_of_a_walk<M: Controlled<Pendulum>>(method: M) {
+    let pendulum = Pendulum::PAPER;
+    let mut read = walk(&pendulum, method, 1e-9, 5.0);
+    let crossing = read.crossings(Direction::Either, |_, z| z.theta).next().unwrap().unwrap();
+    let mut copy = read.clone();
+    let kept = read.solution().unwrap();
+    assert_eq!((kept.start_time(), kept.end_time(), read.time()), (crossing.t, 5.0, 5.0));
+    assert!(kept.at(crossing.t).unwrap().theta.abs() < 1e-14);
+    assert_eq!(kept.at(crossing.t - 1e-9), None);
+    assert!(read.next().is_none());
+    assert!(copy.time() < 5.0);
+    for t in [crossing.t + 1e-9, crossing.t + 0.001, 4.0, 5.0] {
+        assert_eq!(copy.states_at([t]).next().unwrap().unwrap(), kept.at(t).unwrap());
+    }
+    assert_eq!(copy.counts().accepted, read.counts().accepted);
+
+    let few = Adaptive::new(method, tolerance(1e-9)).max_attempts(3);
+    let kept = few.steps(&pendulum, START, 0.0, 50.0).unwrap().solution();
+    assert!(matches!(kept, Err(Error::OutOfSteps { limit: 3, .. })), "{kept:?}");
+}
+each_controlled!(what_is_kept_is_the_rest_of_a_walk);
+
 /// Catches: a state for a time that the walk has passed, or does not reach; an error of the walk
 /// that is lost, or told for ever.
 fn a_time_that_is_out_of_turn_is_refused<M: Controlled<Pendulum>>(method: M) {
