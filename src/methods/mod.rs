@@ -61,7 +61,10 @@ pub use taylor::*;
 
 /// The properties of a method. They are defined once, beside the method's step, and read by every
 /// test, table and page.
+///
+/// One of your own begins with [`new`](Self::new); there may be more fields in later versions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct MethodInfo {
     /// Name on the command line and in test names.
     pub name: &'static str,
@@ -95,13 +98,10 @@ impl MethodInfo {
     /// ```
     /// use pendula::MethodInfo;
     ///
-    /// let leapfrog = MethodInfo {
-    ///     symplectic: true,
-    ///     symmetric: true,
-    ///     force_evaluations: 1,
-    ///     ..MethodInfo::new("leapfrog", 2)
-    /// };
-    /// assert_eq!(leapfrog.title, "leapfrog");
+    /// const LEAPFROG: MethodInfo =
+    ///     MethodInfo::new("leapfrog", 2).symplectic().symmetric().force_evaluations(1);
+    /// assert_eq!(LEAPFROG.title, "leapfrog");
+    /// assert!(LEAPFROG.symmetric && !LEAPFROG.implicit);
     /// ```
     pub const fn new(name: &'static str, order: u32) -> Self {
         Self {
@@ -116,6 +116,54 @@ impl MethodInfo {
             start_evaluations: 0,
             reference: "",
         }
+    }
+
+    /// With this `title` in tables and text.
+    #[must_use]
+    pub const fn title(self, title: &'static str) -> Self {
+        Self { title, ..self }
+    }
+
+    /// With these other names.
+    #[must_use]
+    pub const fn aliases(self, aliases: &'static [&'static str]) -> Self {
+        Self { aliases, ..self }
+    }
+
+    /// And symplectic.
+    #[must_use]
+    pub const fn symplectic(self) -> Self {
+        Self { symplectic: true, ..self }
+    }
+
+    /// And symmetric.
+    #[must_use]
+    pub const fn symmetric(self) -> Self {
+        Self { symmetric: true, ..self }
+    }
+
+    /// And implicit.
+    #[must_use]
+    pub const fn implicit(self) -> Self {
+        Self { implicit: true, ..self }
+    }
+
+    /// With this number of force evaluations a step.
+    #[must_use]
+    pub const fn force_evaluations(self, force_evaluations: u64) -> Self {
+        Self { force_evaluations, ..self }
+    }
+
+    /// With this number of force evaluations before the first step.
+    #[must_use]
+    pub const fn start_evaluations(self, start_evaluations: u64) -> Self {
+        Self { start_evaluations, ..self }
+    }
+
+    /// Defined and analysed there.
+    #[must_use]
+    pub const fn reference(self, reference: &'static str) -> Self {
+        Self { reference, ..self }
     }
 }
 

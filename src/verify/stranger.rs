@@ -17,7 +17,18 @@ pub struct Drive {
 }
 
 /// A run that a stranger is asked for: θ̈ + (g/L) sin θ = 0, or with a drive, from t = 0.
+///
+/// ```
+/// use pendula::verify::{Request, Stranger};
+/// use pendula::{Phase, StormerVerlet};
+///
+/// // Ten seconds of the pendulum from 1 rad, a state each second.
+/// let request = Request::new(9.81, Phase::at_rest(1.0), 0.01, 1000).every(100);
+/// let reply = StormerVerlet.answer(&request).expect("all methods answer it");
+/// assert_eq!((reply.states.len(), reply.evaluations), (10, Some(1001)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Request {
     /// g/L (1/s²).
     pub g_over_l: f64,
@@ -40,6 +51,24 @@ const MOST_STEPS: u64 = 1_000_000_000;
 const MOST_STATES: u64 = 10_000_000;
 
 impl Request {
+    /// `steps` steps of `step` (s) from `start`, of the undamped pendulum of this g/L (1/s²) without
+    /// a drive, each state asked for.
+    pub const fn new(g_over_l: f64, start: Phase, step: f64, steps: u64) -> Self {
+        Self { g_over_l, drive: None, start, step, steps, every: 1 }
+    }
+
+    /// The same under `drive`.
+    #[must_use]
+    pub const fn driven(self, drive: Drive) -> Self {
+        Self { drive: Some(drive), ..self }
+    }
+
+    /// The same, of which every k-th state is asked for, where k is `every`.
+    #[must_use]
+    pub const fn every(self, every: u64) -> Self {
+        Self { every, ..self }
+    }
+
     /// The number of states that the answer has; 0 if k is 0.
     pub const fn states(&self) -> u64 {
         match self.every {
@@ -94,6 +123,7 @@ pub struct Reply {
 
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Fault {
     /// The stranger does not know this kind of request.
     Unsupported,
@@ -102,6 +132,18 @@ pub enum Fault {
     /// The stranger broke the protocol: nothing more can be asked of it.
     Broken(String),
 }
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unsupported => f.write_str("this kind of request is not known"),
+            Self::Refused(why) => write!(f, "the request is refused: {why}"),
+            Self::Broken(why) => write!(f, "the protocol is broken: {why}"),
+        }
+    }
+}
+
+impl core::error::Error for Fault {}
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be asked for the states that the judge needs",

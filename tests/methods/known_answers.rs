@@ -50,8 +50,7 @@ fn steps_lead_where_they_should(method: &dyn AnyMethod) {
     for method in [method, in_seconds(method)] {
         assert_known(method, false, |answer| {
             let Scene { g_over_l, start, step, .. } = *answer.scene;
-            let steps = answer.steps;
-            let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
+            let request = Request::new(g_over_l, start, step, answer.steps).every(answer.steps);
             Chosen::new(method).answer(&request).unwrap().states[0]
         });
     }

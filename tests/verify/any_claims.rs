@@ -280,8 +280,12 @@ fn claims_are_read_within_limits() {
 fn extreme_requests() -> Vec<Request> {
     let drive = Drive { amplitude: 6.0, frequency: 5.0 };
     let start = Phase { theta: 1.0, omega: 0.5 };
-    let usual = Request { g_over_l: 9.81, drive: None, start, step: 0.1, steps: 20, every: 5 };
-    let driven = Request { drive: Some(drive), ..usual };
+    let usual = Request::new(9.81, start, 0.1, 20).every(5);
+    let driven = usual.driven(drive);
+    let with = |mut request: Request, change: &dyn Fn(&mut Request)| {
+        change(&mut request);
+        request
+    };
     let floats = [
         f64::NAN,
         f64::INFINITY,
@@ -299,20 +303,21 @@ fn extreme_requests() -> Vec<Request> {
     let mut all = vec![usual, driven];
     for x in floats {
         for request in [usual, driven] {
-            all.push(Request { g_over_l: x, ..request });
-            all.push(Request { start: Phase { theta: x, ..start }, ..request });
-            all.push(Request { start: Phase { omega: x, ..start }, ..request });
-            all.push(Request { step: x, ..request });
+            all.push(with(request, &|request| request.g_over_l = x));
+            all.push(with(request, &|request| request.start.theta = x));
+            all.push(with(request, &|request| request.start.omega = x));
+            all.push(with(request, &|request| request.step = x));
         }
-        all.push(Request { drive: Some(Drive { amplitude: x, ..drive }), ..usual });
-        all.push(Request { drive: Some(Drive { frequency: x, ..drive }), ..usual });
+        all.push(usual.driven(Drive { amplitude: x, ..drive }));
+        all.push(usual.driven(Drive { frequency: x, ..drive }));
     }
     let counts = [0, 1, 2, 10_000_001, 1_000_000_001, u64::MAX / 2, u64::MAX - 1, u64::MAX];
     for steps in counts {
         for every in counts {
             // No more than a few steps, or refused.
-            all.push(Request { steps, every, ..usual });
-            all.push(Request { steps, every, ..driven });
+            for request in [usual, driven] {
+                all.push(with(request, &|request| (request.steps, request.every) = (steps, every)));
+            }
         }
     }
     all
@@ -345,7 +350,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
                     assert!(!why.contains('\n') && !why.is_empty(), "{why}");
                     refused += 1;
                 }
-                Err(Fault::Broken(why)) => panic!("{request}: {why}"),
+                Err(fault) => panic!("{request}: {fault}"),
             }
         }
     }

@@ -100,8 +100,9 @@ struct Late {
 impl Stranger for Late {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let known = self.g_over_l.replace(Some(request.g_over_l));
-        let g_over_l = known.unwrap_or(request.g_over_l);
-        StormerVerlet.answer(&Request { g_over_l, ..*request })
+        let mut late = *request;
+        late.g_over_l = known.unwrap_or(request.g_over_l);
+        StormerVerlet.answer(&late)
     }
 }
 
@@ -181,7 +182,7 @@ impl Stranger for Nearly {
             return Err(Fault::Unsupported);
         }
         let mut reply = Reply::default();
-        let mut one = Request { steps: 1, every: 1, ..*request };
+        let mut one = Request::new(request.g_over_l, request.start, request.step, 1);
         for n in 1..=request.steps {
             one.start = Rk4.answer(&one)?.states[0];
             one.start.theta += 1e-3 * (request.step * request.g_over_l.sqrt()).powi(3);

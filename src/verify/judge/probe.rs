@@ -51,12 +51,7 @@ impl Request {
     /// `steps` steps of `step` (s) from `start`, of the undamped pendulum with the g/L of most
     /// requests, each state asked for.
     pub(super) const fn run(start: Phase, step: f64, steps: u64) -> Self {
-        Self { g_over_l: G_OVER_L, drive: None, start, step, steps, every: 1 }
-    }
-
-    /// Every `every`-th state is asked for.
-    pub(super) const fn every(self, every: u64) -> Self {
-        Self { every, ..self }
+        Self::new(G_OVER_L, start, step, steps)
     }
 
     /// With another g/L (1/s²).

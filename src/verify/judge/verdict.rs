@@ -4,6 +4,7 @@ use core::fmt;
 
 /// What is to be said of a claim, or of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Verdict {
     /// It was measured and holds.
     Holds,

@@ -61,6 +61,7 @@ fn answer(
         Ok(reply) => reply,
         Err(Fault::Unsupported) => return writeln!(out, "unsupported"),
         Err(Fault::Refused(why) | Fault::Broken(why)) => return writeln!(out, "error {why}"),
+        Err(fault) => return writeln!(out, "error {fault}"),
     };
     if !reply.states.iter().all(|z| z.theta.is_finite() && z.omega.is_finite()) {
         return match method.info().implicit {

@@ -141,6 +141,10 @@ fn answer(verdict: Verdict, lenient: bool, printed: io::Result<()>) -> Result<()
         Verdict::Holds | Verdict::Unclaimed => true,
         Verdict::Fails => false,
         Verdict::Unclear | Verdict::NotMeasured => lenient,
+        other => {
+            let name = other.name();
+            return Err(Failure::refused(format!("a verdict without a status: {name}")));
+        }
     };
     match (shown, printed) {
         (false, _) => Err(Failure::No),
@@ -162,7 +166,7 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
             let style = match report.verdict {
                 Verdict::Fails => colour::BAD,
                 Verdict::Holds | Verdict::Unclaimed => colour::GOOD,
-                Verdict::Unclear | Verdict::NotMeasured => colour::DOUBTFUL,
+                _ => colour::DOUBTFUL,
             };
             let [head, last] = [(colour::HEAD, head), (style, last)]
                 .map(|(style, line)| colour::output(style, line));

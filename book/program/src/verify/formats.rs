@@ -77,7 +77,7 @@ pub fn junit(judged: &Judged<'_>, lenient: bool) -> String {
 
 /// Neither shown nor refuted.
 fn is_open(verdict: Verdict) -> bool {
-    matches!(verdict, Verdict::NotMeasured | Verdict::Unclear)
+    !matches!(verdict, Verdict::Holds | Verdict::Fails | Verdict::Unclaimed)
 }
 
 fn case(finding: &Finding, suite: &str, lenient: bool) -> String {

@@ -115,8 +115,7 @@ impl Stranger for Program {
     fn longest_run(&self) -> u64 {
         let start = Phase { theta: 1.0, omega: 0.0 };
         let timed = |steps: u64| {
-            let (g_over_l, step) = (9.81, 0.01);
-            let request = Request { g_over_l, drive: None, start, step, steps, every: steps };
+            let request = Request::new(9.81, start, 0.01, steps).every(steps);
             let begun = Instant::now();
             // Whatever is wrong with the answer shows when the judge asks.
             let answered = self.answer(&request).is_ok();

@@ -57,7 +57,8 @@ fn request(words: &[&str], driven: bool) -> Result<Question, String> {
     if step == 0.0 {
         return Err("h is zero".to_string());
     }
-    Ok(Question::Run(Request { g_over_l, drive, start, step, steps, every }))
+    let request = Request::new(g_over_l, start, step, steps).every(every);
+    Ok(Question::Run(drive.map_or(request, |drive| request.driven(drive))))
 }
 
 /// A line of an answer.
@@ -132,7 +133,8 @@ mod tests {
 
     fn run(step: f64, drive: Option<Drive>) -> Request {
         let start = Phase { theta: -1.0 / 3.0, omega: 5e-324 };
-        Request { g_over_l: 9.81, drive, start, step, steps: 1000, every: 100 }
+        let request = Request::new(9.81, start, step, 1000).every(100);
+        drive.map_or(request, |drive| request.driven(drive))
     }
 
     /// Catches: fields in another order, bits lost on the way, a negative step refused.

@@ -179,8 +179,7 @@ fn a_program_may_refuse_and_go_on() {
                 echo done 3\nread -r line";
     let script = Script::greeting(text);
     let program = script.started(10.0);
-    let driven =
-        Request { drive: Some(Drive { amplitude: 1.0, frequency: 1.0 }), ..request(0.1, 1) };
+    let driven = request(0.1, 1).driven(Drive { amplitude: 1.0, frequency: 1.0 });
     assert_eq!(program.answer(&request(9.0, 1)), Err(Fault::Refused("too long".to_string())));
     assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
     assert_eq!(program.answer(&request(0.1, 20)), Err(Fault::Refused("after all".to_string())));

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use pendula::methods::StormerVerlet;
-use pendula::verify::{Drive, Fault, Request, Stranger};
+use pendula::verify::{Drive, Fault, Stranger};
 use rstest::rstest;
 use serde_json::Value;
 
@@ -41,8 +41,7 @@ fn is_stormer_verlet(words: &[&str]) {
             assert!(apart < 1e-12, "{request}: {theirs:?} is not {ours:?}");
         }
     }
-    let drive = Some(Drive { amplitude: 0.5, frequency: 2.0 });
-    let driven = Request { drive, ..request(0.01, 10) };
+    let driven = request(0.01, 10).driven(Drive { amplitude: 0.5, frequency: 2.0 });
     assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
 }
 

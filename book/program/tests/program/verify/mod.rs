@@ -44,7 +44,7 @@ fn started<S: Into<OsString>>(
 /// From 1 rad at rest, `steps` steps of `step` (s), each tenth of them asked for.
 fn request(step: f64, steps: u64) -> Request {
     let start = Phase { theta: 1.0, omega: 0.0 };
-    Request { g_over_l: 9.81, drive: None, start, step, steps, every: steps.min(10) }
+    Request::new(9.81, start, step, steps).every(steps.min(10))
 }
 
 #[track_caller]

@@ -24,10 +24,10 @@ fn told(options: &[&str], program: &[&str]) -> (String, Option<i32>) {
 fn what_is_served_is_what_the_library_computes() {
     let program = started([PENDULA, "serve", "stormer-verlet"], 10.0).unwrap();
     assert_eq!(program.name(), "pendula stormer-verlet");
-    let drive = Some(Drive { amplitude: 0.3, frequency: 2.0 });
+    let drive = Drive { amplitude: 0.3, frequency: 2.0 };
     let there = request(0.01, 1000);
     for request in [there, request(-1e-7, 30), there, request(0.01, 100), there] {
-        for request in [request, pendula::verify::Request { drive, ..request }] {
+        for request in [request, request.driven(drive)] {
             assert_eq!(program.answer(&request), StormerVerlet.answer(&request), "{request}");
         }
     }
