@@ -132,8 +132,8 @@ pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
     reading: Option<Reading<S, M>>,
 }
 
-/// A walk that takes the same steps on from here, and counts what it costs by itself. (Derived, it
-/// would ask that the system be `Clone`, which is only borrowed.)
+/// A clone takes the same steps on from here. (Derived, it would ask that the system be `Clone`,
+/// which is only borrowed.)
 impl<S: System<State: Components>, M: Controlled<S>> Clone for AdaptiveSteps<'_, S, M> {
     fn clone(&self) -> Self {
         Self { system: self.system.clone(), ..*self }

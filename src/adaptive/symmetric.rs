@@ -5,6 +5,8 @@
 //! 1838–1851) let the density of the steps be a variable with a rate of its own. It leapfrogs with
 //! the state, and the whole is symmetric.
 
+use core::fmt;
+
 use crate::error::{Error, checked, positive};
 use crate::systems::Separable;
 
@@ -21,7 +23,6 @@ use crate::systems::Separable;
 /// with 100; none was accepted with a density that is not positive.
 ///
 /// An iterator over the samples after the start. It ends only after an error.
-#[derive(Clone, Copy, Debug)]
 pub struct SymmetricSteps<'a, S: Separable, G> {
     system: &'a S,
     density_rate: G,
@@ -31,6 +32,24 @@ pub struct SymmetricSteps<'a, S: Separable, G> {
     /// The force at the sample.
     force: S::Force,
     failed: bool,
+}
+
+impl<S: Separable, G: Copy> Copy for SymmetricSteps<'_, S, G> {}
+
+/// (Derived, it would ask that the system be `Clone`, which is only borrowed.)
+impl<S: Separable, G: Clone> Clone for SymmetricSteps<'_, S, G> {
+    fn clone(&self) -> Self {
+        Self { density_rate: self.density_rate.clone(), ..*self }
+    }
+}
+
+impl<S: Separable, G> fmt::Debug for SymmetricSteps<'_, S, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SymmetricSteps")
+            .field("t", &self.sample.t)
+            .field("density", &self.sample.density)
+            .finish_non_exhaustive()
+    }
 }
 
 /// A state with its time and the density of the steps.

@@ -1,5 +1,7 @@
 //! Errors along a run, of the energy and of the angle, and the error at its end.
 
+use core::fmt;
+
 use crate::error::Error;
 use crate::exact::Motion;
 use crate::integrate::Observer;
@@ -10,12 +12,23 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, System};
 ///
 /// The start counts as a sample, although its error is zero: a mean over N + 1 samples reproduces
 /// the paper's Table 6, one over N does not.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct AngleError<F> {
     reference: F,
     squares: f64,
     samples: u64,
     largest: f64,
+}
+
+impl<F> fmt::Debug for AngleError<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { squares, samples, largest, .. } = self;
+        f.debug_struct("AngleError")
+            .field("squares", squares)
+            .field("samples", samples)
+            .field("largest", largest)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<F: Fn(f64) -> f64> AngleError<F> {

@@ -288,8 +288,14 @@ fn chosen_states<S: System<State = Phase> + 'static>(
 /// report.assert();
 /// assert_eq!(report.identity.unwrap().method, "stormer-verlet");
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct FromFn<F>(pub F);
+
+impl<F> fmt::Debug for FromFn<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("FromFn").finish_non_exhaustive()
+    }
+}
 
 impl<F, I> Stranger for FromFn<F>
 where
