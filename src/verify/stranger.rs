@@ -51,8 +51,8 @@ const MOST_STEPS: u64 = 1_000_000_000;
 const MOST_STATES: u64 = 10_000_000;
 
 impl Request {
-    /// `steps` steps of `step` (s) from `start`, of the pendulum of this g/L (1/s²) without a drive;
-    /// each state is asked for.
+    /// `steps` steps of `step` (s) from `start`, of the pendulum of this g/L (1/s²), which is not
+    /// driven; each state is asked for.
     pub const fn new(g_over_l: f64, start: Phase, step: f64, steps: u64) -> Self {
         Self { g_over_l, drive: None, start, step, steps, every: 1 }
     }
