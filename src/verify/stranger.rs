@@ -1,5 +1,6 @@
 //! What is judged: anything that maps a state to the states some steps later.
 
+use core::fmt;
 use core::num::NonZeroU64;
 
 use crate::integrate::{Method, Stepper, Typed};
