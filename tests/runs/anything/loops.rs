@@ -8,8 +8,8 @@ use pendula::methods::{Gauss6, Implicit, Iteration};
 use pendula::registry::InSteps;
 use pendula::systems::CompensatedPhase;
 use pendula::{
-    AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, METHODS, Method, Pendulum,
-    Phase, integrate, integrate_fast, method_named, try_integrate_fast,
+    AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, Info, METHODS, Method,
+    Pendulum, Phase, integrate, integrate_fast, method_named, try_integrate_fast,
 };
 
 use super::*;
