@@ -7,8 +7,6 @@ mod deferred;
 #[cfg(feature = "ensemble")]
 mod ensemble;
 #[cfg(feature = "ensemble")]
-mod flips;
-#[cfg(feature = "ensemble")]
 mod instructions;
 #[cfg(feature = "alloc")]
 mod run;
@@ -23,10 +21,6 @@ pub use deferred::Deferred;
 pub(crate) use ensemble::ByItsTable;
 #[cfg(feature = "ensemble")]
 pub use ensemble::{Ensemble, InLanes, TakesBlocks};
-#[cfg(feature = "ensemble")]
-pub use flips::{
-    DoubleInLanes, DoublePendulums, DoublePhases, first_flips, first_flips_with, is_below,
-};
 #[cfg(feature = "ensemble")]
 pub use instructions::Instructions;
 #[cfg(feature = "alloc")]

@@ -1,6 +1,6 @@
 //! The double pendulum.
 
-use crate::arithmetic::number::Number;
+use crate::arithmetic::number::Number as _;
 use crate::arithmetic::sine::{cos, sin};
 use crate::error::{Error, checked, finite, positive};
 use crate::state;
@@ -142,7 +142,7 @@ impl DoublePendulum {
 
     /// The same from sine and cosine of θ₁ − θ₂ and the momenta.
     #[inline(always)]
-    fn velocities_at<N: Number>(&self, [s, c]: [N; 2], [p1, p2]: [N; 2]) -> [N; 2] {
+    fn velocities_at(&self, [s, c]: [f64; 2], [p1, p2]: [f64; 2]) -> [f64; 2] {
         let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
             (self.upper, self.lower);
         let effective = s * m2 * s + m1;
@@ -150,21 +150,6 @@ impl DoublePendulum {
         let omega2 =
             (p2 * ((m1 + m2) * l1) - c * (m2 * l2) * p1) / (effective * (m2 * l1 * l2 * l2));
         [omega1, omega2]
-    }
-
-    /// The rates of change of θ₁, θ₂ (rad/s), p₁ and p₂ (kg m²/s²): of one double pendulum, or of
-    /// one in each lane.
-    #[inline(always)]
-    pub fn rates<N: Number>(&self, [theta1, theta2, p1, p2]: [N; 4]) -> [N; 4] {
-        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
-            (self.upper, self.lower);
-        let (s, c) = (theta1 - theta2).sin_and_cos();
-        let [omega1, omega2] = self.velocities_at([s, c], [p1, p2]);
-        // ∂T/∂Δ at fixed momenta: the torque that the rods exert on each other.
-        let exchange = omega1 * (m2 * l1 * l2) * omega2 * s;
-        let ((sin1, _), (sin2, _)) = (theta1.sin_and_cos(), theta2.sin_and_cos());
-        let (weight1, weight2) = ((m1 + m2) * self.gravity * l1, m2 * self.gravity * l2);
-        [omega1, omega2, -exchange - sin1 * weight1, exchange - sin2 * weight2]
     }
 
     /// The least energy (J) with which a rod can pass the upward vertical: that of the lower rod up
@@ -229,8 +214,21 @@ impl System for DoublePendulum {
 
     #[inline]
     fn rate(&self, _t: f64, z: DoublePhase) -> DoublePhase {
-        let [theta1, theta2, p1, p2] = self.rates([z.theta1, z.theta2, z.p1, z.p2]);
-        DoublePhase { theta1, theta2, p1, p2 }
+        let DoublePhase { theta1, theta2, p1, p2 } = z;
+        let (Joint { length: l1, mass: m1 }, Joint { length: l2, mass: m2 }) =
+            (self.upper, self.lower);
+        let (s, c) = (theta1 - theta2).sin_and_cos();
+        let [omega1, omega2] = self.velocities_at([s, c], [p1, p2]);
+        // ∂T/∂Δ at fixed momenta: the torque that the rods exert on each other.
+        let exchange = omega1 * (m2 * l1 * l2) * omega2 * s;
+        let ((sin1, _), (sin2, _)) = (theta1.sin_and_cos(), theta2.sin_and_cos());
+        let (weight1, weight2) = ((m1 + m2) * self.gravity * l1, m2 * self.gravity * l2);
+        DoublePhase {
+            theta1: omega1,
+            theta2: omega2,
+            p1: -exchange - sin1 * weight1,
+            p2: exchange - sin2 * weight2,
+        }
     }
 }
 

@@ -76,39 +76,6 @@ fn double_pendulum() -> Result<u64, Error> {
     Ok(hash.value())
 }
 
-/// After how many steps a hundred of them first turn over.
-fn double_pendulums() -> Result<u64, Error> {
-    let double = DoublePendulum::of_equals(9.81, Joint { length: 1.0, mass: 1.0 })?;
-    let start = |i: u32| {
-        let [a, b] = [f64::from(i % 10), f64::from(i / 10)];
-        double.start([0.3 + 0.3 * a, 0.6 * b - 3.0], [0.1 * b, -0.2])
-    };
-    let starts = (0..100).map(start).collect::<Result<Vec<_>, _>>()?;
-    let grid = Grid::new(0.01, 1_000)?;
-    let mut hash = Hash::new();
-    for start in starts {
-        let mut flip = FirstFlip(0);
-        integrate(&double, &Rk4, start, &grid, &mut flip);
-        hash.word(flip.0);
-    }
-    Ok(hash.value())
-}
-
-/// The number of the first step after which a rod is past the upward vertical; 0 for none.
-struct FirstFlip(u64);
-
-impl Observer<DoublePhase> for FirstFlip {
-    fn observe(&mut self, n: u64, _t: f64, z: DoublePhase) {
-        if z.theta1.abs() > PI || z.theta2.abs() > PI {
-            self.0 = n;
-        }
-    }
-
-    fn is_satisfied(&self) -> bool {
-        self.0 > 0
-    }
-}
-
 fn kepler() -> Result<u64, Error> {
     let centre = Kepler::new(1.7)?;
     let ellipse = Ellipse::new(&centre, 1.2, 0.6)?;
@@ -203,7 +170,6 @@ fn all() -> Result<[(&'static str, u64); 12], Error> {
         ("driven pendulum", of_separable(&driven, START, ALONG)),
         ("shaken pendulum", of_separable(&shaken, START, (0.001, 20_000))),
         ("double pendulum", double_pendulum()?),
-        ("double pendulums in lanes", double_pendulums()?),
         ("Kepler's problem", kepler()?),
         ("adaptive dormand-prince", adaptive(DormandPrince)?),
         ("adaptive dop853", adaptive(Dop853)?),

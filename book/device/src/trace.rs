@@ -243,13 +243,6 @@ impl BitOr for TracedMask {
     }
 }
 
-impl TracedMask {
-    /// Where it stands on the tape.
-    pub fn place(self) -> Place {
-        self.0
-    }
-}
-
 impl Mask for TracedMask {
     /// Whether it holds is unknown; `true` ends the loops that ask.
     fn all(self) -> bool {

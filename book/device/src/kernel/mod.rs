@@ -1,6 +1,5 @@
 //! Programs for a device: recorded steps, as OpenCL C.
 
-pub mod flips;
 pub mod steps;
 
 use std::collections::BTreeSet;

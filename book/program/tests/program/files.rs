@@ -141,7 +141,7 @@ fn a_full_disk_is_told() {
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
-/// Also through a link, and for a picture.
+/// Also through a link.
 ///
 /// Catches: rows that are written, and overwritten at the end of a long run.
 #[test]
@@ -152,7 +152,6 @@ fn two_outputs_of_one_name_are_refused() {
     for line in [
         "simulate --method rk4 --theta0 1 --dt 0.01 --steps 9 --output x --plot link",
         "sweep --method rk4 --theta0 0:1:9 --dt 0.1 --duration 1 --output link --plot ./x",
-        "sweep flips --size 4 --duration 1 --output x --picture x",
     ] {
         let mut command = Command::new(PENDULA);
         let output = command.args(words(line)).current_dir(folder.path()).output().unwrap();

@@ -158,12 +158,6 @@ sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 1/184467440737095
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part --summary
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 2/3 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:1:3 --duration 1 --device p
-sweep flips --size 0
-sweep flips --size 3
-sweep flips --size 100000
-sweep flips --dt 0.3 --duration 1
-sweep flips --length1 0
-sweep flips --size 2 --picture no/folder/a.png
 exact --theta0 nan
 exact --theta0 2/3pi
 exact --theta0 1 --format json

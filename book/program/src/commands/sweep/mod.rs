@@ -17,7 +17,6 @@ use pendula_output::failure::Failure;
 use pendula_output::interrupt::unless_interrupted;
 use runner::{Planned, Run, Runner, grids};
 
-pub mod flips;
 mod runner;
 
 /// Arguments of `pendula sweep`.
@@ -33,12 +32,6 @@ pub struct Arguments {
 /// What is no sweep of the pendulum.
 #[derive(Debug, Subcommand)]
 enum Other {
-    /// Print when a double pendulum first turns over, for every release from rest
-    #[command(after_help = examples(&[
-        "pendula sweep flips --size 40 --duration 5 > flips.csv",
-        "pendula sweep flips --size 60 --duration 9 --picture flips.png --output flips.csv",
-    ]))]
-    Flips(flips::Arguments),
     /// Print the OpenCL devices of this machine, for --device
     #[command(after_help = examples(&[
         "pendula sweep devices",
@@ -107,7 +100,6 @@ impl Arguments {
 /// steps; it is a failure if the user interrupts, or a trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     match arguments {
-        Arguments { other: Some(Other::Flips(flips)), .. } => flips::run(flips, streams),
         Arguments { other: Some(Other::Devices), .. } => devices(streams),
         Arguments { sweep: Some(sweep), .. } => sweep_until(sweep, streams),
         // clap has asked for its arguments.
