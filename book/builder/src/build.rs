@@ -7,7 +7,6 @@ use std::fmt::Debug;
 use std::fs;
 use std::mem;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result, bail, ensure};
@@ -35,9 +34,8 @@ pub fn book(
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: Progress,
-    interrupted: &Arc<AtomicBool>,
 ) -> Result<PathBuf> {
-    let (built, warnings) = collect(|| driven(root, destination, ledger, &progress, interrupted));
+    let (built, warnings) = collect(|| driven(root, destination, ledger, &progress));
     progress.finish();
     let (folder, pages) = built?;
     if let Some((first, others)) = warnings.split_first() {
@@ -49,7 +47,6 @@ pub fn book(
     let index = folder.path().join(&pages).join("index.html");
     let is_there = files::exists(&index).with_context(|| format!("{}", index.display()))?;
     ensure!(is_there, "mdBook made no {}", index.display());
-    ensure!(!interrupted.load(Ordering::Relaxed), "interrupted");
     Ok(folder.replace()?.join(pages).join("index.html"))
 }
 
@@ -59,7 +56,6 @@ fn driven(
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: &Progress,
-    interrupted: &Arc<AtomicBool>,
 ) -> Result<(WholeFolder, PathBuf)> {
     progress.stage("reading the chapters", 1);
     let mut book = MDBook::load(root)
@@ -69,7 +65,7 @@ fn driven(
     let folder = WholeFolder::beside(&destination)?;
     book.config.build.build_dir = folder.path();
     // The same name as in book.toml, so that it takes the command's place.
-    book.with_preprocessor(Pendula::new(ledger, progress.clone(), Arc::clone(interrupted)));
+    book.with_preprocessor(Pendula::new(ledger, progress.clone()));
     book.build()?;
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();

@@ -6,7 +6,6 @@
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Result, anyhow};
 use pendula_study::claims::{Claim, Measured};
@@ -15,7 +14,6 @@ use pendula_study::report::snapshots::some;
 
 use crate::progress::Progress;
 use crate::versions::{Content, Made, quietly, said};
-use pendula_output::interrupt::unless_interrupted;
 
 /// The ledger's entry for one claim. A value is text, such as `2.01e-4`, `5.158 s` or `4`; the book
 /// decides how to typeset it.
@@ -37,9 +35,8 @@ pub trait Ledger {
     fn entry(&self, id: &str) -> Option<Entry>;
 
     /// What the code makes of the snapshots with these names now, and why it does not make those
-    /// that it cannot, unless the user interrupts. A ledger that makes none has nothing to be
-    /// quoted from them.
-    fn snapshots(&self, _: BTreeSet<String>, _: &AtomicBool) -> Result<Made> {
+    /// that it cannot. A ledger that makes none has nothing to be quoted from them.
+    fn snapshots(&self, _: BTreeSet<String>) -> Result<Made> {
         Ok(Made::default())
     }
 }
@@ -107,11 +104,8 @@ impl Ledger for Paper {
         })
     }
 
-    fn snapshots(&self, names: BTreeSet<String>, interrupted: &AtomicBool) -> Result<Made> {
-        let paper = self.clone();
-        let made = move || quietly(|| paper.made(|name| names.contains(name)));
-        unless_interrupted(|| interrupted.load(Ordering::Relaxed), made)
-            .ok_or_else(|| anyhow!("interrupted"))?
+    fn snapshots(&self, names: BTreeSet<String>) -> Result<Made> {
+        quietly(|| self.made(|name| names.contains(name)))
             .map_err(|panic| anyhow!("the snapshots cannot be computed: {}", said(&*panic)))
     }
 }

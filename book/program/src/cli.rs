@@ -14,10 +14,8 @@ use rayon::ThreadPoolBuilder;
 
 use crate::commands::number::{Part, Sweep};
 use crate::commands::output::Streams;
-use crate::commands::state::{self, KeptArguments, Resumed};
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::Lookout;
 
 #[derive(Debug, Parser)]
 #[command(name = "pendula", version, about = ABOUT)]
@@ -138,27 +136,10 @@ where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
-    let mut words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
-    let mut matches = matches(&words)?;
-    let resumed = match matches.subcommand() {
-        Some((name, given)) => state::asked_for(given).map(|path| Resumed::read(path, name)),
-        None => None,
-    };
-    let resumed = resumed.transpose()?;
-    if let Some(from) = &resumed {
-        // A run is resumed with the arguments that it was begun with.
-        words.truncate(1);
-        words.extend(from.arguments().iter().map(OsString::from));
-        matches = self::matches(&words)?;
-    }
-    let cli = Cli::from_arg_matches(&matches);
+    let words: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let cli = Cli::from_arg_matches(&matches(&words)?);
     let cli = cli.map_err(|error| Failure::Refused(explain(&error)))?;
-    let Some(mut command) = cli.command else { return without_a_command() };
-    if let Some(kept) = command.kept() {
-        kept.words = words[1..].iter().map(|word| word.to_string_lossy().into_owned()).collect();
-        kept.from = resumed;
-    }
-    Ok(command)
+    cli.command.map_or_else(without_a_command, Ok)
 }
 
 fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
@@ -184,17 +165,6 @@ fn without_a_command() -> Result<Command, Failure> {
     Err(Failure::Answered)
 }
 
-impl Command {
-    /// Where the run is kept if it is interrupted, of a command that can be.
-    fn kept(&mut self) -> Option<&mut KeptArguments> {
-        match self {
-            Self::Simulate(arguments) => Some(&mut arguments.trajectory.kept),
-            Self::Sweep(arguments) => arguments.kept(),
-            _ => None,
-        }
-    }
-}
-
 /// Runs a command; its output goes to `out`.
 pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
     // They are started here, because rayon panics where they are needed and cannot be had.
@@ -202,7 +172,7 @@ pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
         .num_threads(threads(std::env::var("RAYON_NUM_THREADS").ok().as_deref())?)
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
-    let streams = Streams { out, err: &mut io::stderr(), lookout: &Lookout::for_the_user };
+    let streams = Streams { out, err: &mut io::stderr() };
     match command {
         #[cfg(feature = "book")]
         Command::Study(command) => crate::commands::study::run(command, streams.out),

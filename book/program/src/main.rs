@@ -4,6 +4,8 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use pendula_output::failure::Failure;
+use pendula_output::interrupt;
+use pendula_program::commands::output::WholeLines;
 use pendula_program::{cli, colour};
 
 /// Standard output, whose errors say so.
@@ -32,21 +34,21 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     }
     // Before there are other threads.
-    if let Err(failure) = pendula_output::interrupt::interrupts() {
+    if let Err(failure) = interrupt::listen() {
         let _ = writeln!(io::stderr(), "{}", failure.line().unwrap_or_default());
         return failure.exit_code();
     }
-    let mut out = io::BufWriter::new(StandardOutput(io::stdout().lock()));
+    let mut out = WholeLines::new(StandardOutput(io::stdout().lock()));
     let outcome = cli::parse(std::env::args_os())
         .and_then(|command| cli::run(command, &mut out))
         .and_then(|()| out.flush().map_err(Failure::from));
+    interrupt::wait_if_ending();
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             // What was printed before the failure is printed. Where that is what failed, as on a
-            // closed pipe, it fails again, and the buffer is discarded.
+            // closed pipe, it fails again.
             let _ = out.flush();
-            let _ = out.into_parts();
             if let Some(line) = failure.line() {
                 // Not eprintln!, which panics when standard error is closed.
                 let (name, reason) = line.split_once(' ').unwrap_or((&line, ""));

@@ -10,7 +10,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::Book;
@@ -87,11 +86,7 @@ fn anchored(text: &str, name: &str) -> Option<String> {
 
 /// Compares each snapshot among the included files with what `ledger` makes of it. Those that are
 /// recorded cannot be compared.
-pub fn snapshots(
-    included: &BTreeSet<PathBuf>,
-    ledger: &dyn Ledger,
-    interrupted: &AtomicBool,
-) -> Result<()> {
+pub fn snapshots(included: &BTreeSet<PathBuf>, ledger: &dyn Ledger) -> Result<()> {
     let mut quoted: BTreeMap<String, (String, File)> = BTreeMap::new();
     let is_in_folder = |path: &&PathBuf| path.parent().is_some_and(|at| at.ends_with("snapshots"));
     for path in included.iter().filter(is_in_folder) {
@@ -108,7 +103,7 @@ pub fn snapshots(
             quoted.insert(name.to_string(), (shown.clone(), file));
         }
     }
-    let (made, failed) = ledger.snapshots(quoted.keys().cloned().collect(), interrupted)?;
+    let (made, failed) = ledger.snapshots(quoted.keys().cloned().collect())?;
     let mut moved = Vec::new();
     for (name, (shown, file)) in &quoted {
         match (made.get(name), failed.get(name)) {
@@ -188,7 +183,7 @@ mod tests {
             None
         }
 
-        fn snapshots(&self, names: BTreeSet<String>, _: &AtomicBool) -> Result<Made> {
+        fn snapshots(&self, names: BTreeSet<String>) -> Result<Made> {
             let orders = Content { kind: Kind::Table, text: "| 1 |\n".to_string() };
             let made = [("orders".to_string(), orders)];
             let failed = [("zoo".to_string(), "no result".to_string())];
@@ -203,7 +198,7 @@ mod tests {
         let file = folder.path().join("snapshots").join(name);
         fs::create_dir(file.parent().unwrap()).unwrap();
         fs::write(&file, text).unwrap();
-        let checked = snapshots(&[file].into(), &Code, &AtomicBool::new(false));
+        let checked = snapshots(&[file].into(), &Code);
         checked.err().map(|error| format!("{error:#}"))
     }
 

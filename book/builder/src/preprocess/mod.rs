@@ -12,10 +12,8 @@
 
 use std::collections::BTreeSet;
 use std::io::{Read, Write};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
 
@@ -45,7 +43,7 @@ pub fn protocol<L: Ledger + 'static>(
 ) -> Result<()> {
     let (context, book) =
         parse_input(input).context("mdBook sends [context, book] as JSON on standard input")?;
-    let book = Pendula::new(ledger(), Progress::hidden(), Arc::default()).run(&context, book)?;
+    let book = Pendula::new(ledger(), Progress::hidden()).run(&context, book)?;
     serde_json::to_writer(out, &book).context("the book cannot be written")
 }
 
@@ -53,18 +51,12 @@ pub fn protocol<L: Ledger + 'static>(
 pub struct Pendula {
     ledger: Box<dyn Ledger>,
     progress: Progress,
-    interrupted: Arc<AtomicBool>,
 }
 
 impl Pendula {
-    /// A preprocessor that takes its values from `ledger`, and stops with an error as soon as the
-    /// flag is set.
-    pub fn new(
-        ledger: impl Ledger + 'static,
-        progress: Progress,
-        interrupted: Arc<AtomicBool>,
-    ) -> Self {
-        Self { ledger: Box::new(ledger), progress, interrupted }
+    /// A preprocessor that takes its values from `ledger`.
+    pub fn new(ledger: impl Ledger + 'static, progress: Progress) -> Self {
+        Self { ledger: Box::new(ledger), progress }
     }
 }
 
@@ -81,7 +73,7 @@ impl Preprocessor for Pendula {
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let included = checks::includes(&context.root.join(&context.config.book.src), &book)?;
         self.progress.stage("comparing the snapshots", 1);
-        checks::snapshots(&included, self.ledger.as_ref(), &self.interrupted)?;
+        checks::snapshots(&included, self.ledger.as_ref())?;
 
         // tests/ is beside book/.
         let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;
@@ -98,7 +90,6 @@ impl Preprocessor for Pendula {
         let mut quotes = claims::Quotes::new();
         each(&mut book, |chapter| {
             self.progress.advance();
-            ensure!(!self.interrupted.load(Ordering::Relaxed), "interrupted");
             set(&setter, chapter, &mut quotes)
         })?;
         each(&mut book, |chapter| {

@@ -2,9 +2,8 @@
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use pendula_study::report::table::Table;
 use pulldown_cmark::html::push_html;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -23,8 +22,8 @@ const TOP: &str = "../../";
 /// Writes the page and returns its path.
 ///
 /// # Errors
-/// If it cannot be written, or if the user interrupts; an older page is then as it was.
-pub fn write(document: &Document, root: &Path, interrupted: &AtomicBool) -> Result<PathBuf> {
+/// If it cannot be written; an older page is then as it was.
+pub fn write(document: &Document, root: &Path) -> Result<PathBuf> {
     let folder = root.join(FOLDER);
     let index = folder.join("index.html");
     let refused = || format!("{} cannot be written", index.display());
@@ -34,7 +33,6 @@ pub fn write(document: &Document, root: &Path, interrupted: &AtomicBool) -> Resu
     let index = canonicalize(&folder).with_context(refused)?.join("index.html");
     let mut file = WholeFile::beside(&index).with_context(refused)?;
     file.write_all(html.as_bytes()).with_context(refused)?;
-    ensure!(!interrupted.load(Ordering::Relaxed), "interrupted");
     file.replace().with_context(refused)?;
     Ok(index)
 }

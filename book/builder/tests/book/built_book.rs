@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use std::sync::atomic::AtomicBool;
 
 use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger, Paper};
@@ -37,7 +36,7 @@ impl Ledger for Reviewed {
         PAPER.entry(id)
     }
 
-    fn snapshots(&self, names: BTreeSet<String>, _: &AtomicBool) -> anyhow::Result<Made> {
+    fn snapshots(&self, names: BTreeSet<String>) -> anyhow::Result<Made> {
         let quoted = REVIEWED.iter().filter(|(name, _)| names.contains(*name));
         let quoted: Version = quoted.map(|(name, text)| (name.clone(), text.clone())).collect();
         Ok((quoted, BTreeMap::new()))

@@ -5,8 +5,6 @@
 use std::fs::{self, File, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger};
@@ -40,40 +38,28 @@ fn small_book() -> (TempDir, impl Fn(&str) -> PathBuf) {
 }
 
 fn build(folder: &TempDir) -> Result<(), String> {
-    build_with(folder, |_: &str| None::<Entry>, &Arc::default())
+    build_with(folder, |_: &str| None::<Entry>)
 }
 
-fn build_with(
-    folder: &TempDir,
-    ledger: impl Ledger + 'static,
-    interrupted: &Arc<AtomicBool>,
-) -> Result<(), String> {
+fn build_with(folder: &TempDir, ledger: impl Ledger + 'static) -> Result<(), String> {
     let root = folder.path().join("book");
-    let built = build::book(&root, None, ledger, Progress::hidden(), interrupted);
+    let built = build::book(&root, None, ledger, Progress::hidden());
     built.map(drop).map_err(|error| format!("{error:#}"))
 }
 
-/// Catches: a page of the old book that stays, an old book lost or half replaced by an interrupt, a
-/// warning or an error; leftovers, also of a builder that was killed in the middle.
+/// Catches: a page of the old book that stays, an old book lost or half replaced by a warning or an
+/// error; leftovers, also of a builder that was killed in the middle.
 #[test]
 fn a_book_is_built_whole_or_not_at_all() {
     let (folder, at) = small_book();
     build(&folder).unwrap();
     fs::rename(at("book/src/one.md"), at("book/src/two.md")).unwrap();
     fs::write(at("book/src/SUMMARY.md"), "# Summary\n\n* [Two](two.md)\n").unwrap();
-    for (chapter, says) in [
-        ("{{stated T1.a}}\n", "interrupted"),
-        ("<div>\n", "mdBook warns: "),
-        ("{{#include nothing.rs}}\n", "nothing.rs"),
-    ] {
+    for (chapter, says) in
+        [("<div>\n", "mdBook warns: "), ("{{#include nothing.rs}}\n", "nothing.rs")]
+    {
         fs::write(at("book/src/two.md"), chapter).unwrap();
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let raise = Arc::clone(&interrupted);
-        let ledger = move |_: &str| {
-            raise.store(true, Ordering::Relaxed);
-            Some(Entry { stated: Some("1".to_string()), ..Entry::default() })
-        };
-        let line = build_with(&folder, ledger, &interrupted).unwrap_err();
+        let line = build(&folder).unwrap_err();
         assert!(line.contains(says), "{line}");
         assert!(at("target/book/one.html").exists() && !at("target/book/two.html").exists());
         assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1, "{says}");
@@ -103,7 +89,7 @@ fn a_book_is_built_whole_or_not_at_all() {
 fn a_snapshot_typed_over_is_not_published() {
     const TABLE: &str = "snapshots/1_table_5.snap";
     let (folder, at) = small_book();
-    let build = || build_with(&folder, PAPER.clone(), &Arc::default());
+    let build = || build_with(&folder, PAPER.clone());
     let chapter =
         format!("# One\n\nTable: Energy errors.\n\n{{{{#include ../../{TABLE}:table}}}}\n");
     fs::write(at("book/src/one.md"), chapter).unwrap();

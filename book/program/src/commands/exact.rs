@@ -51,8 +51,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         )));
     }
     let (out, columns) = (Destination::Caller(out), ["t", "theta", "omega"]);
-    let mut rows = Rows::new(out, None, arguments.format, columns, 0);
-    rows.begin(true)?;
+    let mut rows = Rows::begin((None, out), arguments.format, columns, true)?;
     for &t in t {
         let z = motion.at(t);
         rows.row([t, z.theta, z.omega])?;

@@ -14,7 +14,6 @@ pub mod output;
 mod plot;
 pub mod serve;
 pub mod simulate;
-pub(crate) mod state;
 #[cfg(feature = "book")]
 pub mod study;
 pub mod sweep;

@@ -13,20 +13,62 @@ use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::whole_file::WholeFile;
-use pendula_output::interrupt::Lookout;
 use pendula_rows::{Line, Look};
 use serde_json::Value;
 
 use super::plot::Plot;
 
-/// Where a command that may run long writes, and how it hears of an interruption.
+/// Where a command that may run long writes.
 pub struct Streams<'a> {
     /// Standard output.
     pub out: &'a mut dyn Write,
     /// Standard error, for a summary.
     pub err: &'a mut dyn Write,
-    /// Called once the arguments have been checked, and before there is a file.
-    pub lookout: &'a dyn Fn() -> Lookout,
+}
+
+/// Passes on whole lines, as many at once as a pipe takes all of or nothing: what reads there sees
+/// whole rows, also of a process that is ended in the midst of them.
+///
+/// Dropped, it forgets what has not been flushed.
+#[derive(Debug)]
+pub struct WholeLines<W> {
+    out: W,
+    waiting: Vec<u8>,
+}
+
+/// As many bytes as a pipe takes all of or nothing; POSIX asks for 512.
+const AT_ONCE: usize = if cfg!(target_os = "linux") { 4096 } else { 512 };
+
+impl<W: Write> WholeLines<W> {
+    /// Before the first line.
+    pub const fn new(out: W) -> Self {
+        Self { out, waiting: Vec::new() }
+    }
+
+    /// Passes on the first bytes, and forgets them even if that fails.
+    fn pass_on(&mut self, count: usize) -> io::Result<()> {
+        let passed = self.out.write_all(&self.waiting[..count]);
+        self.waiting.drain(..count);
+        passed
+    }
+}
+
+impl<W: Write> Write for WholeLines<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.waiting.len() + bytes.len() > AT_ONCE {
+            let end = self.waiting.iter().rposition(|byte| *byte == b'\n');
+            // A line that is longer than that goes on in pieces.
+            self.pass_on(end.map_or(self.waiting.len(), |end| end + 1))?;
+        }
+        let taken = bytes.len().min(AT_ONCE - self.waiting.len());
+        self.waiting.extend_from_slice(&bytes[..taken]);
+        Ok(taken)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.pass_on(self.waiting.len())?;
+        self.out.flush()
+    }
 }
 
 /// A writer, and what it takes to finish. Its errors name the file.
@@ -34,7 +76,7 @@ pub enum Destination<'a> {
     /// The caller's writer.
     Caller(&'a mut dyn Write),
     /// A device or a pipe, which cannot be replaced by another file.
-    Direct(BufWriter<File>, PathBuf),
+    Direct(WholeLines<File>, PathBuf),
     /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
     /// before.
     Beside(Box<BufWriter<WholeFile>>),
@@ -56,7 +98,7 @@ impl<'a> Destination<'a> {
         match files::metadata(path).map_err(refused)? {
             Some(found) if !found.is_file() && !found.is_dir() => {
                 let device = File::options().write(true).open(path).map_err(refused)?;
-                Ok(Self::Direct(BufWriter::new(device), path.to_path_buf()))
+                Ok(Self::Direct(WholeLines::new(device), path.to_path_buf()))
             }
             _ => {
                 let beside = WholeFile::beside(path).map_err(refused)?;
@@ -65,24 +107,12 @@ impl<'a> Destination<'a> {
         }
     }
 
-    /// Whether it is a file that appears when it is whole.
-    pub const fn appears_whole(&self) -> bool {
-        matches!(self, Self::Beside(_))
-    }
-
-    /// The temporary file, as far as it is written; none of other output, which is flushed.
-    pub fn into_file(mut self) -> Result<Option<WholeFile>, Failure> {
-        self.flush()?;
-        match self {
-            Self::Beside(out) => Ok(Some(out.into_inner().map_err(|error| error.into_error())?)),
-            _ => Ok(None),
-        }
-    }
-
     /// Flushes the buffer and renames a temporary file to its target. If that fails, a file is as
     /// it was before.
-    pub fn finish(self) -> Result<(), Failure> {
-        if let Some(file) = self.into_file()? {
+    pub fn finish(mut self) -> Result<(), Failure> {
+        self.flush()?;
+        if let Self::Beside(out) = self {
+            let file = out.into_inner().map_err(|error| error.into_error())?;
             let refused = format!("{} cannot be replaced", file.target().display());
             file.replace().context(refused)?;
         }
@@ -153,50 +183,35 @@ pub struct Rows<'o, const N: usize> {
     out: Destination<'o>,
     plot: Option<Plot<'o>>,
     format: RowFormat,
-    columns: [&'static str; N],
-    /// Rows so far, those before a resumption included.
+    /// Rows so far.
     rows: u64,
-    /// Whether a row was written before, in the same array.
-    separate: bool,
     line: Line,
 }
 
 impl<'o, const N: usize> Rows<'o, N> {
-    /// An output that has been left after `rows` rows, or that is to [begin](Self::begin).
-    pub fn new(
-        out: Destination<'o>,
-        plot: Option<Plot<'o>>,
+    /// Begins the output that a [drawing](super::plot::Drawing::begin) has opened with its plot: an
+    /// array, or lines, with a header or without.
+    pub fn begin(
+        (plot, mut out): (Option<Plot<'o>>, Destination<'o>),
         format: RowFormat,
         columns: [&'static str; N],
-        rows: u64,
-    ) -> Self {
+        header: bool,
+    ) -> io::Result<Self> {
         let look = match format {
             RowFormat::Csv => Look::Csv,
             RowFormat::Json => Look::Json,
         };
-        let line = Line::new(look, &columns);
-        Self { out, plot, format, columns, rows, separate: rows > 0, line }
-    }
-
-    /// Begins the output, also where rows have been written elsewhere: an array, or lines, with
-    /// a header or without.
-    pub fn begin(&mut self, header: bool) -> io::Result<()> {
-        self.separate = false;
-        match self.format {
-            RowFormat::Csv if header => writeln!(self.out, "{}", self.columns.join(",")),
-            RowFormat::Csv => Ok(()),
-            RowFormat::Json => self.out.write_all(b"["),
+        match format {
+            RowFormat::Csv if header => writeln!(out, "{}", columns.join(","))?,
+            RowFormat::Csv => {}
+            RowFormat::Json => out.write_all(b"[")?,
         }
+        Ok(Self { out, plot, format, rows: 0, line: Line::new(look, &columns) })
     }
 
     /// Rows so far.
     pub const fn rows(&self) -> u64 {
         self.rows
-    }
-
-    /// Whether they are drawn.
-    pub const fn are_drawn(&self) -> bool {
-        self.plot.is_some()
     }
 
     /// Writes a row. The numbers must be finite.
@@ -205,10 +220,9 @@ impl<'o, const N: usize> Rows<'o, N> {
             plot.add(&values);
         }
         if self.format == RowFormat::Json {
-            self.out.write_all(if self.separate { b",\n" } else { b"\n" })?;
+            self.out.write_all(if self.rows > 0 { b",\n" } else { b"\n" })?;
         }
         self.rows += 1;
-        self.separate = true;
         self.out.write_all(self.line.row(&values))
     }
 
@@ -223,13 +237,12 @@ impl<'o, const N: usize> Rows<'o, N> {
         self.out.finish()
     }
 
-    /// Leaves an output that is not complete, and returns its file, if it has one that has not
-    /// appeared yet; elsewhere the rows so far are whole.
-    pub fn leave(mut self) -> Result<Option<WholeFile>, Failure> {
-        if !self.out.appears_whole() {
-            self.end()?;
+    /// Ends an output that fails: a file is as it was before, elsewhere the rows so far are whole.
+    pub fn abandon(mut self) {
+        // If the output is what failed, it fails again.
+        if !matches!(self.out, Destination::Beside(_)) {
+            let _ = self.end().and_then(|()| self.out.flush());
         }
-        self.out.into_file()
     }
 
     /// Ends an array.

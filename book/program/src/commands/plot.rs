@@ -1,7 +1,7 @@
 //! `--plot`: the rows as a picture, in a file or in the terminal, in constant memory.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use pendula_charts::{Axis, Chart, Figure, Style};
@@ -83,15 +83,16 @@ pub struct Plot<'o> {
 }
 
 impl Drawing<'_> {
-    /// The plot, if it was asked for, and where rows that have no file go: to `out`, unless the
-    /// plot stands there in their place.
+    /// The plot, if it was asked for, and where the rows go: to the file `output`, or else to
+    /// `out`, unless the plot stands there in their place.
     pub fn begin<'o>(
         self,
+        output: Option<&Path>,
         out: &'o mut dyn Write,
     ) -> Result<(Option<Plot<'o>>, Destination<'o>), Failure> {
         let Self { asked, title, across, panels } = self;
         let (out, rows) = match &asked.plot {
-            None => return Ok((None, Destination::Caller(out))),
+            None => return Ok((None, Destination::open(output, Destination::Caller(out))?)),
             Some(path) if path.as_os_str() == "-" => {
                 (Destination::Caller(out), Destination::Nowhere)
             }
@@ -99,6 +100,7 @@ impl Drawing<'_> {
         };
         let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
         let (title, lines) = (capital(title), lines.collect());
+        let rows = Destination::open(output, rows)?;
         Ok((Some(Plot { out, across, title, panels, lines, first: None }), rows))
     }
 }

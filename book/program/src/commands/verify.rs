@@ -15,7 +15,7 @@ use super::output::Destination;
 use crate::colour;
 use crate::verify::{Judged, Program, formats, page};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::interrupts;
+use pendula_output::interrupt;
 
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]
@@ -105,17 +105,15 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     // Status 1 says that a claim fails, and nothing else.
     let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
-    // Set the interrupt handler before starting the program, which an interrupt does not reach.
-    let interrupted = interrupts()?;
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);
-    let judged = Program::start(&arguments.program, patience, &interrupted).and_then(|program| {
+    let judged = Program::start(&arguments.program, patience).and_then(|program| {
         let report = try_judge(&program, &arguments.claims)?;
         Ok((report, program.name().to_string()))
     });
-    // Here the program has been ended.
-    if interrupted.load(Ordering::Relaxed) {
+    // Here the program has been ended, which an interruption does not reach by itself.
+    if interrupt::flag().load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));
     }
     let (report, name) = judged.map_err(Failure::Refused)?;

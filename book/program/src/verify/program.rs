@@ -3,9 +3,9 @@
 use std::ffi::OsString;
 use std::io;
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -14,6 +14,7 @@ use pendula::verify::{Fault, Reply, Request, Stranger};
 
 use super::process::{self, Group, LONGEST, LastLines, Line};
 use super::protocol::{Answer, BYE, HELLO, answer, greeting};
+use pendula_output::interrupt;
 use pendula_output::printable::printable;
 
 /// How many times as long as for an answer a program is waited for in all. Some 400 questions are
@@ -41,19 +42,15 @@ pub struct Program {
 
 impl Program {
     /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
-    /// answer, and 120 times as long for all; once `interrupted` is set, it is waited for no
-    /// longer.
+    /// answer, and 120 times as long for all; after an interruption it is waited
+    /// for no longer.
     ///
     /// # Errors
     /// One line that says why it cannot be started, or how it answered.
-    pub fn start(
-        command: &[OsString],
-        patience: Duration,
-        interrupted: &Arc<AtomicBool>,
-    ) -> Result<Self, String> {
+    pub fn start(command: &[OsString], patience: Duration) -> Result<Self, String> {
         let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let shown = shortened(&words.join(" "), EXPLAINED);
-        let conversation = Conversation::start(command, interrupted)
+        let conversation = Conversation::start(command)
             .map_err(|error| format!("{shown} cannot be started: {error}"))?;
         let mut program = Self {
             command: shown,
@@ -206,11 +203,10 @@ struct Conversation {
     errors: LastLines,
     /// When the answer that is read has to be there.
     deadline: Instant,
-    interrupted: Arc<AtomicBool>,
 }
 
 impl Conversation {
-    fn start(command: &[OsString], interrupted: &Arc<AtomicBool>) -> io::Result<Self> {
+    fn start(command: &[OsString]) -> io::Result<Self> {
         let (program, arguments) =
             command.split_first().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
         let mut command = Command::new(program);
@@ -228,7 +224,6 @@ impl Conversation {
             answers: process::lines(output),
             errors: LastLines::of(errors),
             deadline: Instant::now(),
-            interrupted: Arc::clone(interrupted),
         })
     }
 
@@ -247,7 +242,7 @@ impl Conversation {
     fn line(&self, so_far: impl Fn() -> String) -> Result<String, Trouble> {
         const LISTEN: Duration = Duration::from_millis(20);
         loop {
-            if self.interrupted.load(Ordering::Relaxed) {
+            if interrupt::flag().load(Ordering::Relaxed) {
                 return Err(Trouble::Interrupted);
             }
             let left = self.deadline.saturating_duration_since(Instant::now());
@@ -371,8 +366,7 @@ mod tests {
     fn there_is_an_end_to_all_answers() {
         let words = ["sh", "-c", "read x; echo hello 1; while read x; do echo done 0; done"];
         let patience = Duration::from_secs(1000);
-        let mut program =
-            Program::start(&words.map(OsString::from), patience, &Arc::default()).unwrap();
+        let mut program = Program::start(&words.map(OsString::from), patience).unwrap();
         assert!(program.end > Instant::now() + 100 * patience);
         program.end = Instant::now();
         let late = program.ask("pendulum", |talk| talk.line(String::new)).unwrap_err();

@@ -161,7 +161,7 @@ fn two_outputs_of_one_name_are_refused() {
     }
 }
 
-/// Catches: two runs that write one file, rows or a state; what a killed run has left, kept for
+/// Catches: two runs that write one file; what a killed run has left, kept for
 /// ever or taken for that of a run that goes on; another file with a name like it removed.
 #[test]
 fn what_a_killed_run_has_left_is_removed() {
@@ -173,9 +173,6 @@ fn what_a_killed_run_has_left_is_removed() {
     writer.lock().unwrap();
     let line = refused(&simulate(&at("a.csv")));
     assert!(line.contains("a.csv: cannot be written: it is being written already"), "{line}");
-    let mut state = Command::new(PENDULA);
-    let line = refused(&state.args(RUN).arg("--state").arg(at("a.csv")).output().unwrap());
-    assert!(line.contains("--state") && line.contains("it is being written already"), "{line}");
     // Not by its end alone: a process that another test is just starting has it open too.
     writer.unlock().unwrap();
     succeeds(&simulate(&at("a.csv")));

@@ -6,8 +6,8 @@ mod help;
 #[cfg(unix)]
 mod interrupts;
 mod listed;
-mod long_runs;
 mod review;
+mod rows;
 mod sweep;
 mod transcripts;
 mod verify;

@@ -106,8 +106,6 @@ simulate --method rk4 --theta0 1 --dt 0.01 --steps 9007199254740993
 simulate --method rk4 --theta0 1 --dt 1 --steps 1 --max-steps 2
 simulate --method rk4 --theta0 1 --dt 1 --steps 1 --plot /no/such/folder/x.svg
 simulate --method rk4 --theta0 1 --dt 1 --steps 1 --output /no/such/folder/x.csv
-simulate --method rk4 --theta0 1 --dt 1 --steps 1 --state /no/such/folder/x.state
-simulate --resume a.state --plot -
 simulate --method dop853 --theta0 1 --duration 10 --tolerance 0
 simulate --method dop853 --theta0 1 --duration 10 --tolerance 1e-16
 simulate --method dop853 --theta0 1 --duration inf --tolerance 1e-6

@@ -4,7 +4,7 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use pendula::fast::FastRun;
-use pendula::integrate::{self, Checkpoint, Steps};
+use pendula::integrate::{self, Steps};
 use pendula::methods::Dop853;
 use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
@@ -141,21 +141,16 @@ impl Scene<'_> {
     fn swing(&self, streams: Streams<'_>) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
-        let begin = |at: Option<Checkpoint>| -> Run<Phase> {
-            let mut run = match at {
-                Some(at) => FastRun::resume(pendulum, steps, start, &grid, at),
-                None => FastRun::start(pendulum, steps, start, &grid),
-            };
-            Box::new(move |until, every, observer| {
-                let z = run.advance(until, every, observer);
-                Stands { z, at: *run.checkpoint(), evaluations: run.evaluations() }
-            })
-        };
+        let mut run = FastRun::start(pendulum, steps, start, &grid);
+        let run: Run<Phase> = Box::new(move |every, observer| {
+            let z = run.advance(grid.steps(), every, observer);
+            Stands { z, steps: run.steps(), evaluations: run.evaluations() }
+        });
         let end_errors = |summary: &mut Summary, end| {
             end_errors(summary, pendulum, start, grid.time(grid.steps()), end);
         };
         let drift = Some(EnergyDrift::new(pendulum));
-        self.print("", drift, begin, &end_errors, streams)
+        self.print("", drift, run, &end_errors, streams)
     }
 
     /// A system that is made of it, is called this, and conserves no energy.
@@ -170,16 +165,16 @@ impl Scene<'_> {
         // There is no closed form.
         let end_errors =
             |summary: &mut Summary, end| energy_at_the_end(summary, pendulum, start, end);
-        let begin = begins(*system, steps, start, grid);
-        self.print(&format!("{called}, "), None, begin, &end_errors, streams)
+        let run = run_of(*system, steps, start, grid);
+        self.print(&format!("{called}, "), None, run, &end_errors, streams)
     }
 
-    /// Prints the run that `begin` begins, of what a title calls this.
+    /// Prints the run of what a title calls this.
     fn print(
         &self,
         of: &str,
         drift: Option<EnergyDrift<'_, Pendulum>>,
-        begin: impl FnOnce(Option<Checkpoint>) -> Run<Phase>,
+        run: Run<Phase>,
         end_errors: &dyn Fn(&mut Summary, Phase),
         streams: Streams<'_>,
     ) -> Result<(), Failure> {
@@ -195,7 +190,7 @@ impl Scene<'_> {
             method: name,
             end_errors,
         };
-        arguments.print(&trajectory, drift, &grid, begin, streams)
+        arguments.print(&trajectory, drift, &grid, run, streams)
     }
 }
 
@@ -223,27 +218,22 @@ fn print_double(
         // There is no closed form.
         end_errors: &|_, _| {},
     };
-    let begin = begins(*double, steps, start, grid);
-    arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, begin, streams)
+    let run = run_of(*double, steps, start, grid);
+    arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, run, streams)
 }
 
-/// What begins a run on `system`, or goes on with it at a checkpoint.
-fn begins<S: Listed<State: Numbers> + Copy + 'static>(
+/// The run on `system`.
+fn run_of<S: Listed<State: Numbers> + Copy + 'static>(
     system: S,
     steps: &'static dyn Steps<S>,
     start: S::State,
     grid: Grid,
-) -> impl FnOnce(Option<Checkpoint>) -> Run<S::State> {
-    move |at| {
-        let mut run = match at {
-            Some(at) => integrate::Run::resume(&system, steps, &grid, at),
-            None => integrate::Run::start(&system, steps, start, &grid),
-        };
-        Box::new(move |until, every, observer| {
-            let z = run.advance(until, every, observer);
-            Stands { z, at: *run.checkpoint(), evaluations: run.evaluations() }
-        })
-    }
+) -> Run<S::State> {
+    let mut run = integrate::Run::start(&system, steps, start, &grid);
+    Box::new(move |every, observer| {
+        let z = run.advance(grid.steps(), every, observer);
+        Stands { z, steps: run.steps(), evaluations: run.evaluations() }
+    })
 }
 
 /// The steps of the method `name` on a system that is `called` this, or their refusal, with the

@@ -1,22 +1,19 @@
 //! A trajectory of any length in equal steps, printed as rows in constant memory.
 
 use std::num::NonZeroU64;
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
+use std::time::Instant;
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
-use pendula::integrate::{CHECKPOINT_NUMBERS, Checkpoint};
 use pendula::metrics::EnergyDrift;
 use pendula::{Error, Grid, Hamiltonian, Observer};
-use serde::{Deserialize, Serialize};
 
 use crate::commands::number::{count, number, positive_count};
 use crate::commands::output::{RowFormat, Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
-use crate::commands::state::{Kept, KeptArguments};
 use crate::commands::unsolved;
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::Lookout;
 
 /// How long a trajectory is, and how it is printed.
 #[derive(Args, Debug)]
@@ -36,9 +33,9 @@ pub struct TrajectoryArguments {
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     pub format: RowFormat,
-    /// Where it is kept if it is interrupted.
-    #[command(flatten)]
-    pub kept: KeptArguments,
+    /// Write to this file, which appears only when it is whole
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
     /// Say on standard error what the run has cost, and how large its errors are
     #[arg(long)]
     pub summary: bool,
@@ -56,8 +53,7 @@ struct Stepping {
     dt: Option<f64>,
     /// Instead of --dt: steps whose size follows the motion, with this error in each, absolutely
     /// (rad, rad/s) and relatively; a row for each
-    #[arg(long, value_name = "E", value_parser = number,
-        conflicts_with_all = ["steps", "state"])]
+    #[arg(long, value_name = "E", value_parser = number, conflicts_with = "steps")]
     tolerance: Option<f64>,
 }
 
@@ -72,19 +68,6 @@ struct Length {
     /// Number of steps
     #[arg(long, value_name = "N", value_parser = count)]
     steps: Option<u64>,
-}
-
-/// How far a trajectory has come.
-#[derive(Debug, Default, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-struct Progress {
-    steps: u64,
-    /// Those of its [`Checkpoint`].
-    numbers: [f64; CHECKPOINT_NUMBERS],
-    evaluations: u64,
-    elapsed: Duration,
-    /// The largest energy error (J), if a summary was asked for.
-    energy_error: Option<f64>,
 }
 
 /// A trajectory to be printed.
@@ -124,71 +107,43 @@ impl TrajectoryArguments {
         grid.map_err(Failure::refused)
     }
 
-    /// Prints the rows of `trajectory`, along `grid`. The run is what `run` makes of the checkpoint
-    /// at which it is resumed, if it is.
+    /// Prints the rows of `trajectory`, which is `run` along `grid`.
     pub fn print<H: Hamiltonian, const N: usize>(
         &self,
         trajectory: &Trajectory<'_, H::State, N>,
         drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        run: impl FnOnce(Option<Checkpoint>) -> Run<H::State>,
-        Streams { out, err, lookout }: Streams<'_>,
+        run: Run<H::State>,
+        Streams { out, err }: Streams<'_>,
     ) -> Result<(), Failure> {
-        let &Self { summary, every, format, .. } = self;
+        let &Self { summary, every, format, ref output, .. } = self;
         let begun = Instant::now();
-        let mut kept = Kept::new(&self.kept)?;
-        let before = kept.resumed::<Progress>()?.map(|(_, progress)| progress);
-        if before.as_ref().is_some_and(|before| before.steps > grid.steps()) {
-            return Err(kept.refused(format!("it is beyond the last of {} steps", grid.steps())));
-        }
-        let at = before.as_ref().map(|before| Checkpoint::new(before.steps, before.numbers));
-        let mut run = run(at);
-        // Set the interrupt handler before creating the file.
-        let lookout = lookout();
-        let Trajectory { row, start, ref title, panels, .. } = *trajectory;
+        let Trajectory { row, start, ref title, panels, columns, .. } = *trajectory;
         let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
-        let rows = kept.open(out, plot, format, trajectory.columns, false)?;
-        let next = at.map_or(0, |at| (at.steps() / every + 1).saturating_mul(every.get()));
+        let opened = plot.begin(output.as_deref(), out)?;
+        let rows = Rows::begin(opened, format, columns, true)?;
         let drift = drift.filter(|_| summary);
-        let mut watch = Watch { drift, row, rows, every, next, ended: None };
-        // The state at which it stands: it takes no step.
-        let mut stands = run(at.map_or(0, |at| at.steps()), every, &mut ());
-        if at.is_none() {
-            stands.z = Ok(start);
-            watch.observe(0, grid.time(0), start);
-        } else if let Some(drift) = &mut watch.drift {
-            drift.observe(0, grid.time(0), start);
-        }
-        let before = before.unwrap_or_default();
-        let interrupted = watch.follow(&mut run, &mut stands, grid.steps(), &lookout);
+        let mut watch = Watch { drift, row, rows, every, next: 0, ended: None };
+        watch.observe(0, grid.time(0), start);
+        // Unless the energy error is measured, only samples to be printed are asked for.
+        let every = if watch.drift.is_some() { NonZeroU64::MIN } else { every };
+        let Stands { z, steps, evaluations } = run(every, &mut watch);
         let Watch { drift, rows, ended, .. } = watch;
-        let steps = stands.at.steps();
-        let elapsed = before.elapsed + begun.elapsed();
-        let evaluations = before.evaluations + stands.evaluations;
-        let energy_error =
-            drift.map(|drift| libm::fmaximum(drift.largest(), before.energy_error.unwrap_or(0.0)));
-        let end = || trajectory.end(stands.z, steps, grid.time(steps));
+        // A run of no steps ends where it was asked to start.
+        let z = if steps == 0 { z.map(|_| start) } else { z };
+        let end = || trajectory.end(z, steps, grid.time(steps));
         let z = match ended.map_or_else(end, Err) {
             Ok(z) => z,
             Err(failure) => {
-                // The rows so far are whole; if the output is what failed, closing it fails again.
-                let _ = rows.leave();
+                rows.abandon();
                 return Err(failure);
             }
         };
-        if interrupted {
-            let numbers = *stands.at.numbers();
-            let progress = Progress { steps, numbers, evaluations, elapsed, energy_error };
-            let (all, t) = (grid.steps(), grid.time(steps));
-            let without = if rows.are_drawn() { ", without its plot" } else { "" };
-            let stands = format!("after {steps} of {all} steps, at {t:?} s{without}");
-            return Err(kept.leave(rows, &progress, &stands)?);
-        }
-        kept.finish(rows)?;
+        rows.finish()?;
         if summary {
-            let mut summary = Summary::of_cost(steps, evaluations, elapsed);
-            if let Some(energy_error) = energy_error {
-                summary.energy_error(energy_error, trajectory.energy, "");
+            let mut summary = Summary::of_cost(steps, evaluations, begun.elapsed());
+            if let Some(drift) = drift {
+                summary.energy_error(drift.largest(), trajectory.energy, "");
             }
             (trajectory.end_errors)(&mut summary, z);
             summary.print(err)?;
@@ -211,16 +166,16 @@ impl<Z: Copy, const N: usize> Trajectory<'_, Z, N> {
     }
 }
 
-/// A run in equal steps: takes those up to the number that it is given, or to the last, and passes
-/// every k-th sample to the observer, where k is the second argument.
-pub type Run<Z> = Box<dyn FnMut(u64, NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
+/// A run in equal steps: passes every k-th state after the start to the observer, until it is
+/// satisfied.
+pub type Run<Z> = Box<dyn FnOnce(NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
 
-/// Where a run stands.
+/// Where a run has ended.
 pub struct Stands<Z> {
     /// The last state; [`Error::NotSolved`] at a step whose equations were not solved.
     pub z: Result<Z, Error>,
-    pub at: Checkpoint,
-    /// The force evaluations so far, since it was started or resumed.
+    pub steps: u64,
+    /// Force evaluations.
     pub evaluations: u64,
 }
 
@@ -262,29 +217,5 @@ impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
 
     fn is_satisfied(&self) -> bool {
         self.ended.is_some()
-    }
-}
-
-impl<H: Hamiltonian, const N: usize> Watch<'_, H, N> {
-    /// Follows the run to the step `last`, from where it `stands`, and says whether it was
-    /// interrupted. Unless the energy error is measured, only samples to be printed are asked for.
-    fn follow(
-        &mut self,
-        run: &mut Run<H::State>,
-        stands: &mut Stands<H::State>,
-        last: u64,
-        lookout: &Lookout,
-    ) -> bool {
-        let every = if self.drift.is_some() { NonZeroU64::MIN } else { self.every };
-        loop {
-            let steps = stands.at.steps();
-            if self.ended.is_some() || stands.z.is_err() || steps == last {
-                return false;
-            }
-            if lookout.interrupts(steps) {
-                return true;
-            }
-            *stands = run(lookout.next(steps), every, self);
-        }
     }
 }

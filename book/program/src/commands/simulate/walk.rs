@@ -12,9 +12,8 @@ use pendula::{
 use super::trajectory::{Trajectory, TrajectoryArguments, overflow};
 use super::{COLUMNS, COLUMNS_OF_TWO, PANELS, PANELS_OF_TWO};
 use super::{end_errors, energy_at_the_end, row_of_one, row_of_two};
-use crate::commands::output::{Streams, Summary};
+use crate::commands::output::{Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, TIME};
-use crate::commands::state::Kept;
 use pendula::systems::DoublePhase;
 use pendula_output::failure::Failure;
 
@@ -148,7 +147,7 @@ impl Walk<'_> {
         system: &S,
         trajectory: &Trajectory<'_, S::State, N>,
         mut drift: Option<EnergyDrift<'_, H>>,
-        Streams { out, err, lookout }: Streams<'_>,
+        Streams { out, err }: Streams<'_>,
     ) -> Result<(), Failure>
     where
         S: System<State: Components>,
@@ -159,50 +158,40 @@ impl Walk<'_> {
         let &Trajectory { title: ref of, start, energy, columns, row, panels, end_errors, .. } =
             trajectory;
         let begun = Instant::now();
-        let mut kept = Kept::new(&arguments.kept)?;
         let title = format!("{of}{title}, tolerance {tolerance:?}");
         let tolerance = Tolerance::uniform(tolerance).map_err(Failure::refused)?;
         let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
         let mut walk = adaptive.steps(system, start, 0.0, duration).map_err(Failure::refused)?;
 
-        let lookout = lookout();
         let plot = Drawing { asked: &arguments.plot, title: &title, across: TIME, panels };
-        let mut rows = kept.open(out, plot, arguments.format, columns, false)?;
+        let opened = plot.begin(arguments.output.as_deref(), out)?;
+        let mut rows = Rows::begin(opened, arguments.format, columns, true)?;
         if let Some(drift) = &mut drift {
             drift.observe(0, 0.0, start);
         }
         rows.row(row(0.0, start))?;
-        loop {
+        while let Some(step) = walk.next() {
+            // This one included.
             let steps = walk.counts().accepted;
-            let step = if lookout.interrupts(steps) {
-                Err(Failure::Failed(anyhow::anyhow!(
-                    "interrupted after {steps} steps, at {:?} s of {duration:?} s; steps that vary \
-                     cannot be resumed",
-                    walk.time(),
-                )))
-            } else {
-                let Some(step) = walk.next() else { break };
-                step.map_err(|error| Failure::Failed(explained(error)))
-            };
+            let step = step.map_err(|error| Failure::Failed(explained(error)));
             let printed = step.and_then(|step| {
                 let (t, z) = (step.end_time(), step.end());
                 let row = row(t, z);
                 if !row.iter().all(|value| value.is_finite()) {
-                    return Err(overflow(steps + 1));
+                    return Err(overflow(steps));
                 }
                 rows.row(row)?;
                 if let Some(drift) = &mut drift {
-                    drift.observe(steps + 1, t, z);
+                    drift.observe(steps, t, z);
                 }
                 Ok(())
             });
             if let Err(failure) = printed {
-                // The rows so far are whole; if the output is what failed, it fails again.
-                let _ = rows.leave();
+                rows.abandon();
                 return Err(failure);
             }
         }
-        kept.finish(rows)?;
+        rows.finish()?;
         if arguments.summary {
             let counts = walk.counts();
             let mut summary =

@@ -16,7 +16,6 @@ use pendula_book::{build, locate};
 
 use super::examples;
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::interrupts;
 
 pub mod paper;
 pub mod review;
@@ -93,9 +92,7 @@ fn book(arguments: &BookArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let root = locate::book(&here)?;
     let progress = Progress::on_terminal();
     let paper = Measured::measure(&progress);
-    // From here on there are files that an interrupt must not leave behind.
-    let interrupted = interrupts()?;
-    let index = build::book(&root, None, paper, progress, &interrupted)?;
+    let index = build::book(&root, None, paper, progress)?;
     writeln!(out, "{}", index.display())?;
     out.flush()?;
     if arguments.open {

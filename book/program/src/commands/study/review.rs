@@ -17,7 +17,6 @@ use pendula_book::review::{Review, render};
 use pendula_book::versions::{Made, committed, computed};
 use pendula_output::failure::Failure;
 use pendula_output::files;
-use pendula_output::interrupt::interrupts;
 
 /// Arguments of `pendula review`.
 #[derive(Args, Debug)]
@@ -83,9 +82,7 @@ pub fn run_in(
         ReviewFormat::Text => out.write_all(render::text(&document).as_bytes())?,
         ReviewFormat::Markdown => out.write_all(document.to_markdown().as_bytes())?,
         ReviewFormat::Html => {
-            // From here on there are files that an interrupt must not leave behind.
-            let interrupted = interrupts()?;
-            let index = render::write(&document, root, &interrupted)?;
+            let index = render::write(&document, root)?;
             writeln!(out, "{}\n{}", document.headline, index.display())?;
             out.flush()?;
             if arguments.open {
@@ -157,8 +154,6 @@ fn accept(
     }
     let snapshots = root.join("snapshots");
     let tree = WorkingTree::read(&snapshots, compute)?;
-    // What is begun is finished, as it takes no time.
-    interrupts()?;
     tree.accept(&snapshots, names)?;
     writeln!(out, "accepted: {}", names.join(" "))?;
     let mut left = tree.moved();

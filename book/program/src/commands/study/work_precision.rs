@@ -19,7 +19,6 @@ use pendula_book::progress::Progress;
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::together::{self, Change};
-use pendula_output::interrupt::interrupts;
 
 /// Arguments of `pendula bench`.
 #[derive(Args, Debug)]
@@ -47,8 +46,6 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     let folder = folder(arguments.output.as_deref())?;
     let measured = measure(seconds, &Progress::on_terminal());
-    // What is begun is finished, as it takes no time.
-    interrupts()?;
     let csv = write_files(&folder, &measured)?;
     match arguments.format {
         TableFormat::Text => {

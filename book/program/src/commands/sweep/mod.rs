@@ -1,20 +1,18 @@
 //! `pendula sweep`: the ends of many runs, from many starts or with many steps.
 
-use std::sync::mpsc;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::{Args, Subcommand};
 use pendula::{Grid, Hamiltonian, MethodInfo, Motion, Pendulum, Phase};
-use serde::{Deserialize, Serialize};
+use pendula_device::Device;
 
 use super::examples;
 use super::number::{Part, Sweep, angles, number};
 use super::output::{RowFormat, Rows, Streams, Summary};
 use super::plot::{Across, Drawing, Panel, PlotArguments};
-use super::state::{Kept, KeptArguments};
 use super::system::{PendulumArguments, methods};
 use pendula_output::failure::Failure;
-use pendula_output::interrupt::unless_interrupted;
 use runner::{Planned, Run, Runner, grids};
 
 mod runner;
@@ -75,9 +73,9 @@ struct SweepArguments {
     /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// Where it is kept if it is interrupted.
-    #[command(flatten)]
-    kept: KeptArguments,
+    /// Write to this file, which appears only when it is whole
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// Say on standard error what the runs have cost, and how large their errors are
     #[arg(long)]
     summary: bool,
@@ -85,19 +83,12 @@ struct SweepArguments {
     plot: PlotArguments,
 }
 
-impl Arguments {
-    /// Where the run is kept if it is interrupted, if it can be.
-    pub fn kept(&mut self) -> Option<&mut KeptArguments> {
-        self.sweep.as_mut().map(|sweep| &mut sweep.kept)
-    }
-}
-
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
 /// at the end (rad, rad/s), and the largest energy error over the run (J).
 ///
-/// The lookout counts runs finished. What the library refuses is refused, a step too long for the
-/// method to solve its equations, a part as JSON, and anything but a range of either angles or
-/// steps; it is a failure if the user interrupts, or a trajectory leaves the range of f64.
+/// What the library refuses is refused, a step too long for the method to solve its equations, a
+/// part as JSON, and anything but a range of either angles or steps; it is a failure if a
+/// trajectory leaves the range of f64.
 pub fn run(arguments: &Arguments, streams: Streams<'_>) -> Result<(), Failure> {
     match arguments {
         Arguments { other: Some(Other::Devices), .. } => devices(streams),
@@ -122,15 +113,16 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
         ));
     }
     let mut runner = Runner::new(&arguments.method, pendulum, omega0)?;
-    if let Some(device) = &arguments.device {
+    let device;
+    if let Some(name) = &arguments.device {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
                 "a device takes the same steps from many angles: --device needs a range --theta0",
             ));
         }
-        runner = runner.on_device(device)?;
+        device = Device::named(name).map_err(Failure::refused)?;
+        runner = runner.on_device(&device)?;
     }
-    let kept = Kept::new(&arguments.kept)?;
     let part = part.unwrap_or(Part::WHOLE);
     let (across, fixed, planned): (_, _, Box<dyn Iterator<Item = Planned>>) = match (theta0, dt) {
         (Sweep::Range(theta0), Sweep::One(dt)) => {
@@ -155,13 +147,13 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
             ));
         }
     };
-    Printer { runner, arguments, across, fixed }.print(kept, streams, planned)
+    Printer { runner, arguments, across, fixed }.print(streams, planned)
 }
 
 /// Writes a line for each OpenCL device of this machine: its name, whether it calculates in double
 /// precision, and its memory, separated by two blanks or more. An empty list is no failure: why it
 /// is empty goes to standard error.
-fn devices(Streams { out, err, .. }: Streams<'_>) -> Result<(), Failure> {
+fn devices(Streams { out, err }: Streams<'_>) -> Result<(), Failure> {
     let devices = match pendula_device::devices() {
         Ok(devices) => devices,
         Err(error) => return Ok(writeln!(err, "pendula: {error}")?),
@@ -178,19 +170,8 @@ fn devices(Streams { out, err, .. }: Streams<'_>) -> Result<(), Failure> {
 /// What a plot shows.
 const PANELS: [Panel; 1] = [Panel::new("largest energy error (J)", &[(4, "")]).logarithmic()];
 
-/// How far a sweep has come, besides the rows printed.
-#[derive(Debug, Default, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-struct Progress {
-    steps: u64,
-    elapsed: Duration,
-    /// The largest errors, if a summary was asked for.
-    largest: Option<Largest>,
-}
-
 /// The largest errors of the runs so far, for the summary.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Largest {
     energy: Option<Worst>,
     theta: Option<Worst>,
@@ -198,8 +179,7 @@ struct Largest {
 }
 
 /// The largest error of a kind, and the run that has it.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug)]
 struct Worst {
     error: f64,
     theta0: f64,
@@ -208,7 +188,7 @@ struct Worst {
 
 impl Largest {
     /// Takes in a run of `runner` over `duration` (s).
-    fn include(&mut self, runner: &Runner, duration: f64, run: &Run) {
+    fn include(&mut self, runner: &Runner<'_>, duration: f64, run: &Run) {
         let Run { theta0, grid, end, energy_error } = *run;
         let dt = grid.step();
         let include = |worst: &mut Option<Worst>, error: f64| {
@@ -227,7 +207,7 @@ impl Largest {
     }
 
     /// Adds a line for each to the summary.
-    fn add_to(&self, summary: &mut Summary, runner: &Runner) {
+    fn add_to(&self, summary: &mut Summary, runner: &Runner<'_>) {
         let at = |worst: &Worst| format!(" at θ₀ = {:?} rad, Δt = {:?} s", worst.theta0, worst.dt);
         if let Some(worst) = &self.energy {
             let start = Phase { theta: worst.theta0, omega: runner.omega0 };
@@ -247,7 +227,7 @@ impl Largest {
 
 /// What is swept, as it was asked for.
 struct Printer<'a> {
-    runner: Runner,
+    runner: Runner<'a>,
     arguments: &'a SweepArguments,
     /// What is on the x axis of a plot.
     across: Across,
@@ -260,74 +240,40 @@ impl Printer<'_> {
     /// not limit their number.
     fn print(
         &self,
-        mut kept: Kept<'_>,
-        Streams { out, err, lookout }: Streams<'_>,
-        sweep: impl Iterator<Item = Planned>,
+        Streams { out, err }: Streams<'_>,
+        mut sweep: impl Iterator<Item = Planned>,
     ) -> Result<(), Failure> {
         let begun = Instant::now();
-        let &SweepArguments { duration, format, part, summary, ref plot, .. } = self.arguments;
-        let (from, mut progress) = kept.resumed::<Progress>()?.unwrap_or_default();
-        let before = progress.elapsed;
-        if summary {
-            progress.largest.get_or_insert_default();
-        }
-        // Set the interrupt handler before creating the file.
-        let lookout = lookout();
+        let &SweepArguments { duration, format, part, summary, ref plot, ref output, .. } =
+            self.arguments;
         let columns = ["theta0", "dt", "theta", "omega", "energy_error"];
         // The header stands in the first part.
-        let headless = part.is_some_and(|part| !part.is_first());
+        let header = part.is_none_or(|part| part.is_first());
         let title = format!("{}, {}, {duration:?} s", self.runner.info().title, self.fixed);
         let plot = Drawing { asked: plot, title: &title, across: self.across, panels: &PANELS };
-        let mut rows = kept.open(out, plot, format, columns, headless)?;
-        let mut sweep = sweep.skip(usize::try_from(from).unwrap_or(usize::MAX));
+        let opened = plot.begin(output.as_deref(), out)?;
+        let mut rows = Rows::begin(opened, format, columns, header)?;
+        let (mut steps, mut largest) = (0, summary.then(Largest::default));
         loop {
-            let done = rows.rows();
-            let mut interrupted = lookout.interrupts(done);
-            if !interrupted {
-                let most = usize::try_from(lookout.next(done) - done).unwrap_or(usize::MAX);
-                let (runner, batch) = (self.runner, self.runner.batch().min(most));
-                let planned: Vec<Planned> = sweep.by_ref().take(batch).collect();
-                if planned.is_empty() {
-                    break;
-                }
-                let mut runs = vec![None; planned.len()];
-                let (sender, finished) = mpsc::channel();
-                let tell = move |i, run| {
-                    // After an interruption nobody asks for it.
-                    let _ = sender.send((i, run));
-                };
-                let work = move || runner.run_each(&planned, &tell);
-                let computed = unless_interrupted(|| lookout.interrupts(done), work);
-                interrupted = computed.is_none();
-                for (i, run) in finished.try_iter() {
-                    runs[i] = Some(run);
-                }
-                // Up to the first that is not finished.
-                let runs: Vec<Run> = runs.into_iter().map_while(|run| run).collect();
-                let printed = self.add(&runs, &mut progress, &mut rows);
-                let printed = printed.and(computed.unwrap_or(Ok(())));
-                if let Err(failure) = printed {
-                    // The rows so far are whole; if the output is what failed, it fails again.
-                    let _ = rows.leave();
-                    return Err(failure);
-                }
+            let planned: Vec<Planned> = sweep.by_ref().take(self.runner.batch()).collect();
+            if planned.is_empty() {
+                break;
             }
-            if interrupted {
-                progress.elapsed = before + begun.elapsed();
-                let of = part.map_or_else(String::new, |part| format!(" of part {part}"));
-                let without = if rows.are_drawn() { ", without their plot" } else { "" };
-                let stands = format!("after {} runs{of}{without}", rows.rows());
-                return Err(kept.leave(rows, &progress, &stands)?);
+            let runs = self.runner.run_each(&planned);
+            let printed =
+                runs.and_then(|runs| self.add(&runs, &mut steps, &mut largest, &mut rows));
+            if let Err(failure) = printed {
+                rows.abandon();
+                return Err(failure);
             }
         }
-        let Progress { steps, largest, .. } = progress;
         let runs = rows.rows();
-        kept.finish(rows)?;
+        rows.finish()?;
         if let Some(part) = part.filter(|_| runs == 0) {
             writeln!(err, "pendula: part {part} is empty: there are fewer runs than parts")?;
         }
         if let Some(largest) = largest {
-            self.summary(steps, runs, &largest, before + begun.elapsed()).print(err)?;
+            self.summary(steps, runs, &largest, begun.elapsed()).print(err)?;
         }
         Ok(())
     }
@@ -336,13 +282,14 @@ impl Printer<'_> {
     fn add(
         &self,
         runs: &[Run],
-        progress: &mut Progress,
+        steps: &mut u64,
+        largest: &mut Option<Largest>,
         rows: &mut Rows<'_, 5>,
     ) -> Result<(), Failure> {
         for run in runs {
             let row = self.row(run)?;
-            progress.steps += run.grid.steps();
-            if let Some(largest) = &mut progress.largest {
+            *steps += run.grid.steps();
+            if let Some(largest) = largest {
                 largest.include(&self.runner, self.arguments.duration, run);
             }
             rows.row(row)?;

@@ -1,7 +1,6 @@
 //! The runs of a sweep, from many angles or with many steps.
 
 use std::num::NonZeroU64;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::{iter, ops};
 
@@ -12,26 +11,23 @@ use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
 };
 use pendula_device::{Compiled, Device};
+use rayon::prelude::*;
 
 use crate::commands::number::Range;
 use pendula_output::failure::Failure;
 
 /// What all runs of a sweep have in common.
-#[derive(Clone, Copy)]
-pub struct Runner {
+pub struct Runner<'d> {
     method: &'static dyn AnyMethod,
     lanes: &'static dyn InLanes,
     pub pendulum: Pendulum,
     /// Angular velocity at the start (rad/s).
     pub omega0: f64,
-    device: Option<&'static Mutex<Compiled<'static>>>,
+    device: Option<Mutex<Compiled<'d>>>,
 }
 
 /// A run to be made: the angle at its start (rad), and its grid of times.
 pub type Planned = (f64, Grid);
-
-/// What is told of each run, with its place among those planned, as soon as it is finished.
-pub type Finished<'a> = &'a (dyn Fn(usize, Run) + Sync);
 
 /// One run: its start, its step, its end and its largest energy error (J).
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +42,7 @@ pub struct Run {
     pub energy_error: f64,
 }
 
-impl Runner {
+impl<'d> Runner<'d> {
     /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
         let (method, lanes) = method_named(name)
@@ -55,14 +51,12 @@ impl Runner {
         Ok(Self { method, lanes, pendulum, omega0, device: None })
     }
 
-    /// The same runs on the device with `name` in its name.
-    pub fn on_device(self, name: &str) -> Result<Self, Failure> {
-        // Used to the end of the program, by threads that may outlive the command.
-        let device: &Device = Box::leak(Box::new(Device::named(name).map_err(Failure::refused)?));
+    /// The same runs on the device.
+    pub fn on_device(self, device: &'d Device) -> Result<Self, Failure> {
         let method = pendula_device::method_named(self.info().name)
             .ok_or_else(|| Failure::refused(format!("there is no method {}", self.info().name)))?;
         let compiled = device.compile(method).map_err(Failure::refused)?;
-        Ok(Self { device: Some(Box::leak(Box::new(Mutex::new(compiled)))), ..self })
+        Ok(Self { device: Some(Mutex::new(compiled)), ..self })
     }
 
     /// The runs of a batch: enough for every core, and few enough to be kept in memory until they
@@ -92,29 +86,21 @@ impl Runner {
 
     /// Makes these runs: with the same steps from many angles in lanes or on the device, with
     /// different numbers of steps one by one.
-    pub fn run_each(&self, planned: &[Planned], finished: Finished<'_>) -> Result<(), Failure> {
-        if let Some(device) = self.device {
+    pub fn run_each(&self, planned: &[Planned]) -> Result<Vec<Run>, Failure> {
+        if let Some(device) = &self.device {
             let starts = self.starts(planned);
             let ensemble = Ensemble::new(&self.pendulum, &starts, planned[0].1);
             let mut ends = vec![(Phase::default(), 0.0); starts.len()];
             let mut compiled = device.lock().unwrap_or_else(PoisonError::into_inner);
             let computed = compiled.ends_and_energy_errors(&ensemble, &mut ends);
             computed.map_err(|error| Failure::Failed(error.into()))?;
-            for (i, (&(theta0, grid), (end, energy_error))) in planned.iter().zip(ends).enumerate()
-            {
-                finished(i, Run { theta0, grid, end, energy_error });
-            }
-            return Ok(());
+            let run =
+                |(&(theta0, grid), (end, energy_error))| Run { theta0, grid, end, energy_error };
+            return Ok(planned.iter().zip(ends).map(run).collect());
         }
         let same_steps = planned.windows(2).all(|pair| pair[0].1 == pair[1].1);
-        let size = if same_steps { LANES } else { 1 };
-        let blocks: Vec<&[Planned]> = planned.chunks(size).collect();
-        in_order(blocks.len(), |block| {
-            for (lane, run) in self.run_block(blocks[block]).into_iter().enumerate() {
-                finished(block * size + lane, run);
-            }
-        });
-        Ok(())
+        let blocks = planned.par_chunks(if same_steps { LANES } else { 1 });
+        Ok(blocks.flat_map_iter(|block| self.run_block(block)).collect())
     }
 
     fn starts(&self, planned: &[Planned]) -> Vec<Phase> {
@@ -153,17 +139,6 @@ impl Observer<Phase> for DriftAndEnd<'_> {
         self.drift.observe(n, t, z);
         self.end = z;
     }
-}
-
-/// Calls `work` with each number below `count`, on all threads. The numbers are begun in order, so
-/// that of a sweep that is interrupted few runs are finished before their turn.
-fn in_order(count: usize, work: impl Fn(usize) + Sync) {
-    let next = AtomicUsize::new(0);
-    rayon::broadcast(|_| {
-        while let Some(i) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count) {
-            work(i);
-        }
-    });
 }
 
 /// The grids over `duration` (s) with steps near those asked for, no two successive ones equal:
@@ -269,19 +244,5 @@ mod tests {
         let range = Range { from: 0.01, to: 1.0, count: 1 << 53 };
         let grids = grids(1.0, range, 0..range.count).unwrap();
         assert!(grids.map(|grid| grid.steps()).eq((1..=100).rev()));
-    }
-
-    /// Catches: a number left out or taken twice; runs that are begun far before their turn, and so
-    /// are lost where a sweep is interrupted.
-    #[test]
-    fn all_are_begun_in_their_turn() {
-        let (begun, sum) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        in_order(1000, |i| {
-            let before = begun.fetch_add(1, Ordering::Relaxed);
-            sum.fetch_add(i, Ordering::Relaxed);
-            // Each of the other threads may have taken one that it has not counted.
-            assert!(i < before + rayon::current_num_threads(), "{i} after {before}");
-        });
-        assert_eq!((begun.into_inner(), sum.into_inner()), (1000, 499_500));
     }
 }

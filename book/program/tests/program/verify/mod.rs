@@ -7,8 +7,6 @@ mod languages;
 mod reports;
 
 use std::ffi::OsString;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use pendula::Phase;
@@ -37,8 +35,7 @@ fn started<S: Into<OsString>>(
     patience: f64,
 ) -> Result<Program, String> {
     let words: Vec<OsString> = words.into_iter().map(Into::into).collect();
-    let interrupted = Arc::new(AtomicBool::new(false));
-    Program::start(&words, Duration::from_secs_f64(patience), &interrupted)
+    Program::start(&words, Duration::from_secs_f64(patience))
 }
 
 /// From 1 rad at rest, `steps` steps of `step` (s), each tenth of them asked for.
