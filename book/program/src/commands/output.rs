@@ -6,7 +6,7 @@ use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use clap::ValueEnum;
@@ -27,26 +27,38 @@ pub struct Streams<'a> {
 }
 
 /// Passes on whole lines, as many at once as a pipe takes all of or nothing: what reads there sees
-/// whole rows, also of a process that is ended in the midst of them.
+/// whole rows, also of a process that is ended in the midst of them. Lines that come seldom do not
+/// wait for others.
 ///
 /// Dropped, it forgets what has not been flushed.
 #[derive(Debug)]
 pub struct WholeLines<W> {
     out: W,
     waiting: Vec<u8>,
+    /// When some were passed on.
+    last: Instant,
 }
+
+/// How long a line waits at most when another one comes.
+const SELDOM: Duration = Duration::from_millis(100);
 
 /// As many bytes as a pipe takes all of or nothing; POSIX asks for 512.
 const AT_ONCE: usize = if cfg!(target_os = "linux") { 4096 } else { 512 };
 
 impl<W: Write> WholeLines<W> {
     /// Before the first line.
-    pub const fn new(out: W) -> Self {
-        Self { out, waiting: Vec::new() }
+    pub fn new(out: W) -> Self {
+        Self { out, waiting: Vec::new(), last: Instant::now() }
+    }
+
+    /// How many bytes the whole lines have.
+    fn whole(&self) -> Option<usize> {
+        self.waiting.iter().rposition(|byte| *byte == b'\n').map(|end| end + 1)
     }
 
     /// Passes on the first bytes, and forgets them even if that fails.
     fn pass_on(&mut self, count: usize) -> io::Result<()> {
+        self.last = Instant::now();
         let passed = self.out.write_all(&self.waiting[..count]);
         self.waiting.drain(..count);
         passed
@@ -56,12 +68,14 @@ impl<W: Write> WholeLines<W> {
 impl<W: Write> Write for WholeLines<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if self.waiting.len() + bytes.len() > AT_ONCE {
-            let end = self.waiting.iter().rposition(|byte| *byte == b'\n');
             // A line that is longer than that goes on in pieces.
-            self.pass_on(end.map_or(self.waiting.len(), |end| end + 1))?;
+            self.pass_on(self.whole().unwrap_or(self.waiting.len()))?;
         }
         let taken = bytes.len().min(AT_ONCE - self.waiting.len());
         self.waiting.extend_from_slice(&bytes[..taken]);
+        if self.last.elapsed() > SELDOM {
+            self.pass_on(self.whole().unwrap_or(0))?;
+        }
         Ok(taken)
     }
 

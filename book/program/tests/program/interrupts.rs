@@ -1,7 +1,7 @@
 //! What the signals that interrupt do to a run.
 
 use std::fs;
-use std::io::Read;
+use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread;
 use std::time::Duration;
@@ -94,6 +94,20 @@ fn a_signal_leaves_whole_rows() {
         let both = rows.lines().zip(whole.lines());
         assert!(both.into_iter().all(|(row, expected)| row == expected), "{attempt}");
     }
+}
+
+/// A run whose rows come seldom, ended before the last of them.
+///
+/// Catches: rows that wait for others, and are lost with the hours that they took.
+#[test]
+fn a_row_does_not_wait_for_others() {
+    let run = "simulate --method kahan-li-8 --theta0 1 --dt 0.01 --steps 4000000 --every 1000000";
+    let mut run = start(run);
+    let mut rows = BufReader::new(run.stdout.take().expect("a pipe")).lines();
+    let seen: Vec<String> = rows.by_ref().take(3).map(|row| row.expect("a row")).collect();
+    send(Signal::TERM, &run);
+    ended(run);
+    assert_eq!(seen[2].split(',').next(), Some("10000.0"));
 }
 
 /// The run waits for a reader that does not read, and cannot look at the signal.
