@@ -1,5 +1,5 @@
-//! A device has the bits of the library. Where there is none, the tests that need one say so, and do
-//! not run.
+//! A device has the bits of the library. Where there is none, the tests that need one say so, and
+//! do not run.
 
 use core::num::NonZeroU64;
 
