@@ -142,8 +142,8 @@ impl Scene<'_> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
         let steps = method.steps().expect("a method of the library has steps");
         let mut run = FastRun::start(pendulum, steps, start, &grid);
-        let run: Run<Phase> = Box::new(move |every, observer| {
-            let z = run.advance(grid.steps(), every, observer);
+        let run: Run<Phase> = Box::new(move |until, every, observer| {
+            let z = run.advance(until, every, observer);
             Stands { z, steps: run.steps(), evaluations: run.evaluations() }
         });
         let end_errors = |summary: &mut Summary, end| {
@@ -230,8 +230,8 @@ fn run_of<S: Listed<State: Numbers> + Copy + 'static>(
     grid: Grid,
 ) -> Run<S::State> {
     let mut run = integrate::Run::start(&system, steps, start, &grid);
-    Box::new(move |every, observer| {
-        let z = run.advance(grid.steps(), every, observer);
+    Box::new(move |until, every, observer| {
+        let z = run.advance(until, every, observer);
         Stands { z, steps: run.steps(), evaluations: run.evaluations() }
     })
 }

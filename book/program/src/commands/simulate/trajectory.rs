@@ -113,7 +113,7 @@ impl TrajectoryArguments {
         trajectory: &Trajectory<'_, H::State, N>,
         drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        run: Run<H::State>,
+        mut run: Run<H::State>,
         Streams { out, err }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { summary, every, format, ref output, .. } = self;
@@ -127,10 +127,13 @@ impl TrajectoryArguments {
         watch.observe(0, grid.time(0), start);
         // Unless the energy error is measured, only samples to be printed are asked for.
         let every = if watch.drift.is_some() { NonZeroU64::MIN } else { every };
-        let Stands { z, steps, evaluations } = run(every, &mut watch);
+        // Where it starts: this takes no step.
+        let mut stands = Stands { z: Ok(start), ..run(0, every, &mut ()) };
+        while watch.ended.is_none() && stands.z.is_ok() && stands.steps < grid.steps() {
+            stands = run(stands.steps + AT_ONCE, every, &mut watch);
+        }
+        let Stands { z, steps, evaluations } = stands;
         let Watch { drift, rows, ended, .. } = watch;
-        // A run of no steps ends where it was asked to start.
-        let z = if steps == 0 { z.map(|_| start) } else { z };
         let end = || trajectory.end(z, steps, grid.time(steps));
         let z = match ended.map_or_else(end, Err) {
             Ok(z) => z,
@@ -166,9 +169,13 @@ impl<Z: Copy, const N: usize> Trajectory<'_, Z, N> {
     }
 }
 
-/// A run in equal steps: passes every k-th state after the start to the observer, until it is
-/// satisfied.
-pub type Run<Z> = Box<dyn FnOnce(NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
+/// A run in equal steps: takes those up to the number that it is given, or to the last, and passes
+/// every k-th state to the observer, where k is the second argument.
+pub type Run<Z> = Box<dyn FnMut(u64, NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
+
+/// Steps that are taken before their rows are printed: a millisecond of the fastest method, a tenth
+/// of a second of the slowest. A run may take many more before it shows their states.
+const AT_ONCE: u64 = 1 << 14;
 
 /// Where a run has ended.
 pub struct Stands<Z> {
