@@ -160,7 +160,7 @@ fn dynamics() -> Result<u64, Error> {
 }
 
 /// A line for each.
-fn all() -> Result<[(&'static str, u64); 12], Error> {
+fn all() -> Result<[(&'static str, u64); 11], Error> {
     let shaken = Shaken::new(pendulum()?, 0.12, 70.0)?;
     let driven = Driven::new(damped()?, 0.9, 2.1)?;
     let linear = LinearOscillator::new(pendulum()?);
@@ -180,6 +180,6 @@ fn all() -> Result<[(&'static str, u64); 12], Error> {
 }
 
 /// A line for each.
-pub fn lines() -> [(&'static str, u64); 12] {
+pub fn lines() -> [(&'static str, u64); 11] {
     all().expect("parameters in range")
 }

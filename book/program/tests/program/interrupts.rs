@@ -60,9 +60,9 @@ fn signals_are_heard_between_rows() {
     }
 }
 
-/// Rows on a pipe, at random moments: while somebody reads them as fast as they come, and while
-/// nobody does and the pipe is full. They are those of a run that is not ended, cut off behind one
-/// of them.
+/// Rows on a pipe, at random moments: while somebody reads them as fast as they come, and while the
+/// pipe is full and some of it has been read. They are those of a run that is not ended, cut off
+/// behind one of them.
 ///
 /// Catches: a row that is cut off where a buffer or the pipe was full; rows lost in their midst.
 #[test]
@@ -75,19 +75,24 @@ fn a_signal_leaves_whole_rows() {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         let mut run = printing(&format!("{RUN} 100000000"));
         let mut pipe = run.stdout.take().expect("a pipe");
-        let read = move || {
-            let mut rows = b"t".to_vec();
-            pipe.read_to_end(&mut rows).map(|_| rows)
-        };
-        let reader = if attempt < 3 { Ok(thread::spawn(read)) } else { Err(read) };
-        thread::sleep(Duration::from_micros(random >> 46));
-        send(Signal::TERM, &run);
-        ended(run);
-        let rows = match reader {
-            Ok(thread) => thread.join().expect("no panic"),
-            Err(mut read) => read(),
-        };
-        let rows = String::from_utf8(rows.expect("rows")).expect("UTF-8");
+        let mut rows = b"t".to_vec();
+        if attempt < 3 {
+            let reader = thread::spawn(move || pipe.read_to_end(&mut rows).map(|_| rows));
+            thread::sleep(Duration::from_micros(random >> 46));
+            send(Signal::TERM, &run);
+            ended(run);
+            rows = reader.join().expect("no panic").expect("rows");
+        } else {
+            while state(&run) != b'S' {
+                thread::sleep(Duration::from_millis(5));
+            }
+            pipe.by_ref().take(random >> 50).read_to_end(&mut rows).expect("rows");
+            thread::sleep(Duration::from_millis(50));
+            send(Signal::TERM, &run);
+            ended(run);
+            pipe.read_to_end(&mut rows).expect("rows");
+        }
+        let rows = String::from_utf8(rows).expect("UTF-8");
         assert!(rows.ends_with('\n') && rows.lines().count() > 5, "{attempt}");
         let is_row = |row: &str| row.split(',').filter_map(|x| x.parse::<f64>().ok()).count() == 4;
         assert!(rows.lines().skip(1).all(is_row), "{attempt}");
