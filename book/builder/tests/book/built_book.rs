@@ -48,7 +48,7 @@ impl Ledger for Reviewed {
 static BOOK: LazyLock<Result<(TempDir, Site), String>> = LazyLock::new(|| {
     let folder = tempfile::tempdir().unwrap();
     let (book, to) = (root().join("book"), Some(folder.path()));
-    let built = build::book(&book, to, Reviewed, Progress::hidden(), &Default::default());
+    let built = build::book(&book, to, Reviewed, Progress::hidden());
     built.map_err(|error| format!("{error:#}"))?;
     let site = Site::read(folder.path());
     Ok((folder, site))
