@@ -2,6 +2,7 @@
 //! instructions the processor has. And for how long double pendulums can be told apart from one
 //! another.
 
+use std::f64::consts::PI;
 use std::num::NonZeroU64;
 
 use pendula::fast::{Ensemble, Instructions};

@@ -5,7 +5,7 @@ use std::num::NonZeroU64;
 use pendula::fast::{InLanes, ScaledPendulum};
 use pendula::integrate::Every;
 use pendula::methods::{Gauss6, Implicit, Iteration};
-use pendula::registry::InSteps;
+use pendula::registry::{ByName, InSteps};
 use pendula::systems::CompensatedPhase;
 use pendula::{
     AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, Info, METHODS, Method,
@@ -183,7 +183,8 @@ fn loops_agree_on_the_time<M: Info + Method<Driven>>(method: &M) {
     let (start, grid) = (Phase { theta: -0.4, omega: 1.2 }, Grid::new(0.01, 150).unwrap());
     let (mut seen, mut listed) = (Samples::default(), Samples::default());
     let end = integrate(&driven, method, start, &grid, &mut seen);
-    assert_eq!(on(method).try_run(&driven, start, &grid, &mut listed), Ok(end));
+    let by_name = Driven::method_named(method.info().name).unwrap();
+    assert_eq!(by_name.try_run(&driven, start, &grid, &mut listed), Ok(end));
     assert_eq!(seen.0, listed.0);
 }
 each_general_method_type!(loops_agree_on_the_time);

@@ -4,8 +4,8 @@
 use std::io::{self, BufRead, Write};
 
 use clap::Args;
-use pendula::methods::table;
-use pendula::verify::{ByPointer, Fault, Listed, Request, Stranger};
+use pendula::registry::ByName;
+use pendula::verify::{Chosen, Fault, Request, Stranger};
 use pendula::{AnyMethod, Driven, method_named};
 
 use super::system::methods;
@@ -43,7 +43,7 @@ fn serve(
         match question(&String::from_utf8_lossy(&line)) {
             Ok(Question::Bye) => return Ok(()),
             Ok(Question::Hello) => writeln!(out, "hello 1 pendula {}", method.info().name)?,
-            Ok(Question::Run(request)) => answer(method, &*stranger, &request, out)?,
+            Ok(Question::Run(request)) => answer(method, &stranger, &request, out)?,
             Err(answer) => writeln!(out, "{answer}")?,
         }
         out.flush()?;
@@ -78,12 +78,9 @@ fn answer(
     }
 }
 
-/// The method as a stranger: with a drive if it suits every system.
-fn stranger(method: &'static dyn AnyMethod) -> Box<dyn Stranger> {
-    match (method.steps(), <Driven as table::Listed>::steps(method.info().name)) {
-        (Some(pendulum), Some(driven)) => Box::new(ByPointer { pendulum, driven }),
-        _ => Box::new(Listed(method)),
-    }
+/// The method as a stranger: with a drive if it suits the driven pendulum.
+fn stranger(method: &dyn AnyMethod) -> Chosen<'_> {
+    Chosen { pendulum: method, driven: Driven::method_named(method.info().name) }
 }
 
 #[cfg(test)]

@@ -3,12 +3,11 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use pendula::fast::FastRun;
-use pendula::integrate::{self, Steps};
+use pendula::integrate::Run;
 use pendula::methods::Dop853;
-use pendula::methods::table::Listed;
 use pendula::metrics::EnergyDrift;
-use pendula::systems::{DoublePhase, Numbers};
+use pendula::registry::ByName;
+use pendula::systems::DoublePhase;
 use pendula::{
     AnyMethod, DoublePendulum, Grid, Hamiltonian, Info, METHODS, MethodInfo, Motion, Pendulum,
     Phase, Rk4, method_named,
@@ -18,7 +17,7 @@ use super::output::{Streams, Summary};
 use super::plot::Panel;
 use super::system::{Chosen, Forced, SystemArguments};
 use pendula_output::failure::Failure;
-use trajectory::{Run, Stands, Trajectory, TrajectoryArguments};
+use trajectory::{Trajectory, TrajectoryArguments};
 use walk::{SERIES, Walk};
 
 mod trajectory;
@@ -140,32 +139,26 @@ impl Scene<'_> {
     /// The pendulum itself.
     fn swing(&self, streams: Streams<'_>) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
-        let steps = method.steps().expect("a method of the library has steps");
-        let mut run = FastRun::start(pendulum, steps, start, &grid);
-        let run: Run<Phase> = Box::new(move |until, every, observer| {
-            let z = run.advance(until, every, observer);
-            Stands { z, steps: run.steps(), evaluations: run.evaluations() }
-        });
         let end_errors = |summary: &mut Summary, end| {
             end_errors(summary, pendulum, start, grid.time(grid.steps()), end);
         };
         let drift = Some(EnergyDrift::new(pendulum));
-        self.print("", drift, run, &end_errors, streams)
+        self.print("", drift, method.begin(pendulum, start, &grid), &end_errors, streams)
     }
 
     /// A system that is made of it, is called this, and conserves no energy.
-    fn other<S: Listed<State = Phase> + 'static>(
+    fn other<S: ByName<State = Phase>>(
         &self,
         system: &S,
         called: &str,
         streams: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { ref pendulum, method, start, grid, .. } = self;
-        let steps = steps::<S>(method.info().name, called)?;
+        let method = named::<S>(method.info().name, called)?;
         // There is no closed form.
         let end_errors =
             |summary: &mut Summary, end| energy_at_the_end(summary, pendulum, start, end);
-        let run = run_of(*system, steps, start, grid);
+        let run = method.begin(system, start, &grid);
         self.print(&format!("{called}, "), None, run, &end_errors, streams)
     }
 
@@ -174,7 +167,7 @@ impl Scene<'_> {
         &self,
         of: &str,
         drift: Option<EnergyDrift<'_, Pendulum>>,
-        run: Run<Phase>,
+        run: Run<'_, Phase>,
         end_errors: &dyn Fn(&mut Summary, Phase),
         streams: Streams<'_>,
     ) -> Result<(), Failure> {
@@ -204,9 +197,8 @@ fn print_double(
     arguments: &TrajectoryArguments,
     streams: Streams<'_>,
 ) -> Result<(), Failure> {
-    let steps = steps::<DoublePendulum>(method, "the double pendulum")?;
-    let grid = arguments.grid()?;
-    let title = method_named(method).map_or(method, |method| method.info().title);
+    let method = named::<DoublePendulum>(method, "the double pendulum")?;
+    let (grid, MethodInfo { name, title, .. }) = (arguments.grid()?, method.info());
     let trajectory = Trajectory {
         title: format!("Double pendulum, {title}, Δt = {:?} s", grid.step()),
         start,
@@ -214,34 +206,19 @@ fn print_double(
         panels: &PANELS_OF_TWO,
         columns: COLUMNS_OF_TWO,
         row: &row_of_two(double),
-        method,
+        method: name,
         // There is no closed form.
         end_errors: &|_, _| {},
     };
-    let run = run_of(*double, steps, start, grid);
+    let run = method.begin(double, start, &grid);
     arguments.print(&trajectory, Some(EnergyDrift::new(double)), &grid, run, streams)
 }
 
-/// The run on `system`.
-fn run_of<S: Listed<State: Numbers> + Copy + 'static>(
-    system: S,
-    steps: &'static dyn Steps<S>,
-    start: S::State,
-    grid: Grid,
-) -> Run<S::State> {
-    let mut run = integrate::Run::start(&system, steps, start, &grid);
-    Box::new(move |until, every, observer| {
-        let z = run.advance(until, every, observer);
-        Stands { z, steps: run.steps(), evaluations: run.evaluations() }
-    })
-}
-
-/// The steps of the method `name` on a system that is `called` this, or their refusal, with the
-/// methods that suit.
-fn steps<S: Listed>(name: &str, called: &str) -> Result<&'static dyn Steps<S>, Failure> {
-    S::steps(name).ok_or_else(|| {
+/// The method `name` on a system that is `called` this, or its refusal, with the methods that suit.
+fn named<S: ByName>(name: &str, called: &str) -> Result<&'static dyn AnyMethod<S>, Failure> {
+    S::method_named(name).ok_or_else(|| {
         let names = METHODS.iter().map(|method| method.info().name);
-        let suited: Vec<&str> = names.filter(|name| S::steps(name).is_some()).collect();
+        let suited: Vec<&str> = names.filter(|name| S::method_named(name).is_some()).collect();
         let suited = suited.join(", ");
         Failure::refused(format!(
             "--method {name}: it needs more of a system than this one has, {called}; those that \

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
+use pendula::integrate::Run;
 use pendula::metrics::EnergyDrift;
 use pendula::{Error, Grid, Hamiltonian, Observer};
 
@@ -113,7 +114,7 @@ impl TrajectoryArguments {
         trajectory: &Trajectory<'_, H::State, N>,
         drift: Option<EnergyDrift<'_, H>>,
         grid: &Grid,
-        mut run: Run<H::State>,
+        mut run: Run<'_, H::State>,
         Streams { out, err }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { summary, every, format, ref output, .. } = self;
@@ -127,14 +128,13 @@ impl TrajectoryArguments {
         watch.observe(0, grid.time(0), start);
         // Unless the energy error is measured, only samples to be printed are asked for.
         let every = if watch.drift.is_some() { NonZeroU64::MIN } else { every };
-        // Where it starts: this takes no step.
-        let mut stands = Stands { z: Ok(start), ..run(0, every, &mut ()) };
-        while watch.ended.is_none() && stands.z.is_ok() && stands.steps < grid.steps() {
-            stands = run(stands.steps + AT_ONCE, every, &mut watch);
+        let mut z = Ok(start);
+        while watch.ended.is_none() && z.is_ok() && run.steps() < grid.steps() {
+            z = run.advance(run.steps() + AT_ONCE, every, &mut watch);
         }
-        let Stands { z, steps, evaluations } = stands;
+        let (steps, evaluations) = (run.steps(), run.evaluations());
         let Watch { drift, rows, ended, .. } = watch;
-        let end = || trajectory.end(z, steps, grid.time(steps));
+        let end = || trajectory.end(z, steps, run.time());
         let z = match ended.map_or_else(end, Err) {
             Ok(z) => z,
             Err(failure) => {
@@ -169,22 +169,9 @@ impl<Z: Copy, const N: usize> Trajectory<'_, Z, N> {
     }
 }
 
-/// A run in equal steps: takes those up to the number that it is given, or to the last, and passes
-/// every k-th state to the observer, where k is the second argument.
-pub type Run<Z> = Box<dyn FnMut(u64, NonZeroU64, &mut dyn Observer<Z>) -> Stands<Z>>;
-
 /// Steps that are taken before their rows are printed: a millisecond of the fastest method, a tenth
 /// of a second of the slowest. A run may take many more before it shows their states.
 const AT_ONCE: u64 = 1 << 14;
-
-/// Where a run has ended.
-pub struct Stands<Z> {
-    /// The last state; [`Error::NotSolved`] at a step whose equations were not solved.
-    pub z: Result<Z, Error>,
-    pub steps: u64,
-    /// Force evaluations.
-    pub evaluations: u64,
-}
 
 /// The failure of a trajectory that overflows.
 pub fn overflow(steps: u64) -> Failure {

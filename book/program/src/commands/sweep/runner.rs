@@ -4,8 +4,7 @@ use std::num::NonZeroU64;
 use std::sync::{Mutex, PoisonError};
 use std::{iter, ops};
 
-use pendula::fast::{InLanes, LANES};
-use pendula::methods::table::in_lanes;
+use pendula::fast::LANES;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
@@ -19,7 +18,6 @@ use pendula_output::failure::Failure;
 /// What all runs of a sweep have in common.
 pub struct Runner<'d> {
     method: &'static dyn AnyMethod,
-    lanes: &'static dyn InLanes,
     pub pendulum: Pendulum,
     /// Angular velocity at the start (rad/s).
     pub omega0: f64,
@@ -45,10 +43,9 @@ pub struct Run {
 impl<'d> Runner<'d> {
     /// Runs of the method `name` on `pendulum`, begun with `omega0` (rad/s).
     pub fn new(name: &str, pendulum: Pendulum, omega0: f64) -> Result<Self, Failure> {
-        let (method, lanes) = method_named(name)
-            .zip(in_lanes(name))
+        let method = method_named(name)
             .ok_or_else(|| Failure::refused(format!("there is no method {name}")))?;
-        Ok(Self { method, lanes, pendulum, omega0, device: None })
+        Ok(Self { method, pendulum, omega0, device: None })
     }
 
     /// The same runs on the device.
@@ -116,7 +113,7 @@ impl<'d> Runner<'d> {
             *end = self.method.run(&self.pendulum, *start, &grid, drift);
         } else {
             let ensemble = Ensemble::new(&self.pendulum, &starts, grid);
-            ensemble.watch(self.lanes, NonZeroU64::MIN, &mut watches);
+            ensemble.watch(self.method, NonZeroU64::MIN, &mut watches);
         }
         let run = |(&(theta0, grid), DriftAndEnd { drift, end }): (&Planned, DriftAndEnd<'_>)| {
             Run { theta0, grid, end, energy_error: drift.largest() }
