@@ -1,7 +1,7 @@
 //! A method of one's own, judged: as a `Method`, and as a plain function.
 
-use pendula::verify::{Claims, FromFn, judge};
 use pendula::{Method, System};
+use pendula_judge::{Claims, FromFn, judge};
 
 /// Ralston's method of order 2.
 struct Ralston;

@@ -45,7 +45,7 @@
 //! * [`methods`]: the methods, by family; a method of your own.
 //! * [`exact`]: the motion of the pendulum in closed form.
 //! * [`metrics`]: quantities measured along a run.
-//! * `verify`: the judge of integrators, yours or ours.
+//! * `registry`: methods that are chosen at run time.
 //! * [`fast`]: the same steps at full speed, for one pendulum and for many.
 //! * [`adaptive`]: steps whose size follows the motion.
 //! * [`dynamics`]: periodic orbits, Floquet multipliers, Lyapunov exponents.
@@ -57,13 +57,12 @@
 //!
 //! # Features
 //!
-//! | feature | default | adds | needs |
-//! |---|---|---|---|
-//! | `alloc` | yes | `adaptive::Solution`, a walk that is kept | alloc |
-//! | `verify` | yes | the module `verify` | std |
-//! | `ensemble` | yes | `Ensemble` | std, the crate `fearless_simd` |
-//! | `table` | no | `methods::table`: methods by name in ensembles and on other systems | std; a minute to compile |
-//! | `parallel` | no | ensembles on all cores | std, the crate `rayon` |
+//! | feature | adds | needs |
+//! |---|---|---|
+//! | `alloc` | the module `registry`, methods that are chosen at run time; `adaptive::Solution`, a walk that is kept | alloc |
+//! | `ensemble` | `Ensemble` | std, the crate `fearless_simd` |
+//! | `parallel` | ensembles on all cores | std, the crate `rayon` |
+//! | `table` | the methods of `registry`, compiled with the library for its systems and in lanes | std; a minute to compile |
 //!
 //! Without any of them the library is `no_std` and depends on `libm` alone.
 //!
@@ -72,9 +71,9 @@
 //! [`integrate()`], [`integrate_fast()`] and `Ensemble` with a method that is named by its type
 //! are compiled in your crate, at its level of optimisation: in lanes that is seconds for a method,
 //! and in an unoptimised build they are two hundred times as slow. A method that is found by its
-//! name is compiled with this library: [`METHODS`] for one trajectory, and with the feature `table`
-//! the same in ensembles and on other systems (`methods::table`). So that these run at full speed
-//! in your dev build, optimise the library in your `Cargo.toml`:
+//! name is compiled with this library: `METHODS` for one pendulum, and with the feature `table` the
+//! same in ensembles and on the library's other systems. So that these run at full speed in your
+//! dev build, optimise the library in your `Cargo.toml`:
 //!
 //! ```toml
 //! [profile.dev.package.pendula]
@@ -86,7 +85,7 @@
 //!
 //! Every result comes from additions, multiplications, divisions and square roots in a fixed
 //! order, so that debug and release, and one machine and another, give the same bits.
-#![cfg_attr(not(any(feature = "verify", feature = "ensemble")), no_std)]
+#![cfg_attr(not(feature = "ensemble"), no_std)]
 #![warn(clippy::disallowed_methods, missing_debug_implementations)]
 
 #[cfg(feature = "alloc")]
@@ -104,8 +103,6 @@ pub mod metrics;
 #[cfg(feature = "alloc")]
 pub mod registry;
 pub mod systems;
-#[cfg(feature = "verify")]
-pub mod verify;
 
 pub use error::Error;
 pub use exact::{Motion, MotionKind};
@@ -128,28 +125,4 @@ pub mod internals {
     pub use crate::adaptive::control::Controller;
     pub use crate::adaptive::series::{exp2, log2, order};
     pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
-    #[cfg(feature = "verify")]
-    pub use crate::verify::judge::identity::leading_error;
-    #[cfg(feature = "verify")]
-    pub use crate::verify::judge::order::{Ladder, shown};
-    #[cfg(feature = "verify")]
-    pub use crate::verify::judge::probe::Probe;
-    /// The judge's verdicts, as functions of what was measured.
-    #[cfg(feature = "verify")]
-    pub mod verdicts {
-        pub use crate::verify::judge::area::{Defect, judge as area};
-        pub use crate::verify::judge::energy::verdict as energy;
-        pub use crate::verify::judge::expansion::{Deviation, deviation_with};
-        pub use crate::verify::judge::loss::Loss;
-        pub use crate::verify::judge::order::verdict as order;
-        pub use crate::verify::judge::replies::{Clock, judge_precision as precision};
-        pub use crate::verify::judge::reversal::{Way, judge as reversal};
-        pub use crate::verify::judge::stage_times::verdict as stage_times;
-        pub use crate::verify::judge::symmetry::Apart;
-    }
 }
-
-/// The README's listings, run as tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-mod readme {}

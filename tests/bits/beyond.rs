@@ -6,10 +6,10 @@ use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorS
 use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
-use pendula::systems::{DoublePhase, Ellipse, Joint, Numbers, PlanePhase};
+use pendula::systems::{Ellipse, Joint, Numbers, PlanePhase};
 use pendula::{
-    Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Observer,
-    Pendulum, Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
+    Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Pendulum, Phase,
+    Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 
 use crate::Hash;

@@ -159,4 +159,31 @@ impl Random {
     pub const fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[self.below(choices.len())]
     }
+
+    /// Any f64: in one of four cases a special one, otherwise 64 random bits or an ordinary number.
+    pub fn number(&mut self) -> f64 {
+        const SPECIAL: [f64; 16] = [
+            0.0,
+            -0.0,
+            5e-324,
+            -5e-324,
+            2.225_073_858_507_201e-308,
+            f64::MIN_POSITIVE,
+            1e-160,
+            1.0,
+            -1.0,
+            1e15,
+            1e160,
+            f64::MAX,
+            f64::MIN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+        ];
+        match self.below(4) {
+            0 => self.one_of(&SPECIAL),
+            1 => self.between(-10.0, 10.0),
+            _ => f64::from_bits(self.bits()),
+        }
+    }
 }

@@ -4,9 +4,9 @@
 use std::num::NonZeroU64;
 
 use pendula::systems::Damped;
-use pendula::verify::known_answers::{self, Answer, Known, Scene};
-use pendula::verify::{Chosen, Request, Stranger};
 use pendula::{AnyMethod, Driven, Grid, Pendulum, Phase};
+use pendula_judge::known_answers::{self, Answer, Known, Scene};
+use pendula_judge::{Chosen, Request, Stranger};
 
 use crate::common::{in_seconds, on};
 

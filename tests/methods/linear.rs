@@ -3,8 +3,8 @@
 
 use approx::assert_relative_eq;
 use pendula::systems::{Damped, Driven, Linearised, Shaken};
-use pendula::verify::properties::pendulum;
 use pendula::{LinearOscillator, Motion, Phase};
+use pendula_judge::properties::pendulum;
 use rstest::rstest;
 
 /// A swing of 1e-30 rad differs from the linear one by a part in 1e60. What is left is rounding: of

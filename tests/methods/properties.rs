@@ -1,17 +1,17 @@
-//! What every method is asked, but its order: each property of `src/verify/properties/`; and laws
+//! What every method is asked, but its order: each property of `book/judge/src/properties/`; and laws
 //! of single methods that hold the measurement of a property to theory.
 
 use pendula::methods::{ForwardEuler, Rk4};
-use pendula::verify::properties::area::{AREA_TOLERANCE, area_defect, cases};
-use pendula::verify::properties::error_constant::{leading_local_error, measured_local_error};
-use pendula::verify::properties::linear::{
+use pendula::{AnyMethod, Grid, LinearOscillator, Method, Pendulum, Phase, integrate};
+use pendula_judge::properties::area::{AREA_TOLERANCE, area_defect, cases};
+use pendula_judge::properties::error_constant::{leading_local_error, measured_local_error};
+use pendula_judge::properties::linear::{
     check_denials, check_matrix, determinant, known, matrix_of, trace,
 };
-use pendula::verify::properties::symmetry::{
+use pendula_judge::properties::symmetry::{
     check_mass_and_length, check_mirror, check_time, check_turns,
 };
-use pendula::verify::properties::{AREA, ERROR_CONSTANT, LINEAR, REVERSAL, WORK};
-use pendula::{AnyMethod, Grid, LinearOscillator, Method, Pendulum, Phase, integrate};
+use pendula_judge::properties::{AREA, ERROR_CONSTANT, LINEAR, REVERSAL, WORK};
 use rstest::rstest;
 
 use crate::common::method;
@@ -22,7 +22,7 @@ use crate::common::method;
 
 /// The error at the time 4/ω₀ over (ω₀h)ᵖ, extrapolated to h = 0 from 100, 200 and 400 steps, is
 /// what theory's transport of the local error leads to, to 2e-4: the extrapolation leaves out x³/8
-/// with a coefficient of 11, 8e-5. `src/verify/properties/error_constant.rs` has the local errors,
+/// with a coefficient of 11, 8e-5. `book/judge/src/properties/error_constant.rs` has the local errors,
 /// and the tolerances where they are measured or the constant comes from a file of 50 digits.
 ///
 /// Catches: a method of the right order with a wrong coefficient in its leading error, such as
@@ -54,7 +54,7 @@ fn a_single_step_misses_by_its_taylor_series(
     #[case] method: &dyn AnyMethod,
     #[values([1.0, 0.0], [-2.0, 0.5], [0.5, 2.5], [3.0, -0.3], [0.1, 0.1])] z: [f64; 2],
 ) {
-    for pendulum in [Pendulum::PAPER, pendula::verify::properties::pendulum()] {
+    for pendulum in [Pendulum::PAPER, pendula_judge::properties::pendulum()] {
         let series = leading_local_error(method.info().name, z).expect("it is on file");
         let measured = measured_local_error(method, &pendulum, z);
         let difference = (measured[0] - series[0]).hypot(measured[1] - series[1]);
@@ -70,7 +70,7 @@ fn a_single_step_misses_by_its_taylor_series(
 /// det J by central differences at five states of two pendulums: within 5e-10 of 1 in steps of 0.1
 /// s if the method is symplectic. If not, it is off by a hundred times the error of the
 /// measurement, which grows with h², in steps of 0.1, 0.2 or 0.4 s.
-/// `src/verify/properties/area.rs` derives the error of the differences.
+/// `book/judge/src/properties/area.rs` derives the error of the differences.
 ///
 /// Catches: forward Euler posing as symplectic Euler, and every other step that is claimed to
 /// preserve area and does not.
@@ -116,7 +116,7 @@ fn rk4_shrinks_area_at_the_bottom_as_its_polynomial_says() {
 /// 100 000 steps of 0.01 s from 1 rad, and as many back, miss the start by at most 1e-13 rad and
 /// 1e-10 ω₀, what a random walk of roundings makes of energy and phase, if the method is symmetric.
 /// Of the others each misses by more than 1e-9, in steps of 0.01 s or, the higher the order, longer
-/// ones. `src/verify/properties/reversal.rs` derives these numbers.
+/// ones. `book/judge/src/properties/reversal.rs` derives these numbers.
 ///
 /// Catches: symplectic Euler posing as Störmer–Verlet, half a kick lost or doubled on one side,
 /// damping of 1e-12 a step; and an entry that wrongly claims or denies symmetry.
@@ -171,7 +171,7 @@ each_method!(the_pendulum_at_the_bottom_has_the_known_matrix);
 /// Catches: a linear oscillator that is not the linearisation of its pendulum; a method written for
 /// one system only.
 fn the_linear_oscillator_has_the_same_matrix<M: AnyMethod + Method<LinearOscillator>>(method: &M) {
-    let pendulum = pendula::verify::properties::pendulum();
+    let pendulum = pendula_judge::properties::pendulum();
     let (system, frequency) = (LinearOscillator::new(pendulum), pendulum.small_angle_frequency());
     let matrix = |x: f64| {
         let grid = Grid::new(x / frequency, 1).unwrap();
@@ -215,7 +215,7 @@ fn the_matrices_on_file_have_their_invariants(
 
 /// A system that counts is given to the method: as many evaluations before the first step, and in
 /// 1234 steps, as the entry says, to the last. An implicit method takes whole sweeps, 4 to 12 a
-/// step: `src/verify/properties/work.rs` derives how many bring it to rounding.
+/// step: `book/judge/src/properties/work.rs` derives how many bring it to rounding.
 ///
 /// Catches: a Störmer–Verlet that evaluates the force twice a step, as the paper says it must; any
 /// method whose entry promises fewer evaluations than its step makes.

@@ -6,8 +6,8 @@
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::verify::properties::pendulum;
 use pendula::{Grid, LinearOscillator, Method, Phase, System, integrate};
+use pendula_judge::properties::pendulum;
 
 const H: f64 = 0.3;
 const Z: Phase = Phase { theta: 0.8, omega: -0.7 };

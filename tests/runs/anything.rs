@@ -5,8 +5,6 @@
 //! or what comes out is finite where the documentation says so; no scene panics or goes on for
 //! ever; and what is computed for many at once has the bits of what is computed for one.
 
-use pendula::methods::StormerVerlet;
-use pendula::verify::{Claims, Fault, Reply, Request, Stranger, try_judge};
 use pendula::{Error, Grid, Pendulum, Phase};
 
 use crate::common::Random;
@@ -73,12 +71,7 @@ impl Tally {
         for scene in 0..scenes {
             let mut any = Any(Random::new(seed.wrapping_mul(0x1000_0000_0001).wrapping_add(scene)));
             let said = Said { seed, scene };
-            // Judging takes a thousand times as long as any other scene.
-            if scene % 2500 == 2499 {
-                a_stranger(&mut any, &mut tally);
-            } else {
-                PARTS[any.0.below(PARTS.len())](&mut any, &mut tally);
-            }
+            PARTS[any.0.below(PARTS.len())](&mut any, &mut tally);
             std::mem::forget(said);
         }
         tally
@@ -117,31 +110,9 @@ impl Drop for Said {
 struct Any(Random);
 
 impl Any {
-    /// Any f64: in one of four cases a special one, otherwise 64 random bits or an ordinary number.
+    /// Any f64.
     fn number(&mut self) -> f64 {
-        const SPECIAL: [f64; 16] = [
-            0.0,
-            -0.0,
-            5e-324,
-            -5e-324,
-            2.225_073_858_507_201e-308,
-            f64::MIN_POSITIVE,
-            1e-160,
-            1.0,
-            -1.0,
-            1e15,
-            1e160,
-            f64::MAX,
-            f64::MIN,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-            f64::NAN,
-        ];
-        match self.0.below(4) {
-            0 => self.0.one_of(&SPECIAL),
-            1 => self.0.between(-10.0, 10.0),
-            _ => f64::from_bits(self.0.bits()),
-        }
+        self.0.number()
     }
 
     /// Any number greater than zero and finite.
@@ -197,65 +168,4 @@ fn bits(x: f64) -> u64 {
 
 fn is_finite(z: Phase) -> bool {
     z.theta.is_finite() && z.omega.is_finite()
-}
-
-// -------------------------------------------------------------------------------------------------
-// The judge
-// -------------------------------------------------------------------------------------------------
-
-/// A stranger that answers with garbage: any states, as many as asked for or not; or with those of
-/// a method, now and then spoilt.
-struct Garbage {
-    random: std::cell::RefCell<Random>,
-    spoils: usize,
-    counts: bool,
-}
-
-impl Stranger for Garbage {
-    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
-        let mut any = Any(self.random.borrow_mut().clone());
-        self.random.borrow_mut().bits();
-        let evaluations = self.counts.then(|| any.0.bits() >> any.0.below(64));
-        let states = request.states() as usize;
-        if self.spoils > 0 {
-            let mut reply = StormerVerlet.answer(request)?;
-            if any.0.below(self.spoils) == 0 && states > 0 {
-                let at = any.0.below(states);
-                reply.states[at] = any.phase();
-            }
-            return Ok(reply);
-        }
-        match any.0.below(60) {
-            0 => Err(Fault::Unsupported),
-            1 => Err(Fault::Refused("no".to_string())),
-            2 => Err(Fault::Broken("nonsense".to_string())),
-            3 => Ok(Reply { states: vec![], evaluations }),
-            4 => Ok(Reply { states: any.phases(states + 1), evaluations }),
-            _ => Ok(Reply { states: any.phases(states), evaluations }),
-        }
-    }
-
-    fn longest_run(&self) -> u64 {
-        2000
-    }
-}
-
-fn a_stranger(any: &mut Any, tally: &mut Tally) {
-    let garbage = Garbage {
-        random: std::cell::RefCell::new(any.0.clone()),
-        spoils: any.0.one_of(&[0, 0, 3, 30]),
-        counts: any.0.below(2) == 0,
-    };
-    let claims = Claims::order(any.0.below(20) as u32).symplectic().symmetric();
-    match try_judge(&garbage, &claims) {
-        Ok(report) => {
-            tally.computed += 1;
-            // It is written out, whatever was measured.
-            assert!(!report.to_string().is_empty() && !report.findings.is_empty());
-        }
-        Err(fault) => {
-            tally.refused += 1;
-            assert!(!fault.is_empty());
-        }
-    }
 }

@@ -2,11 +2,10 @@
 
 use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
-use pendula::verify::properties::pendulum;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest::rstest;
 
-use crate::common::{First, Random, bits, in_seconds};
+use crate::common::{First, Random, bits, in_seconds, pendulum};
 
 /// The states of one run.
 fn states(run: impl FnOnce(&mut dyn Observer<Phase>) -> Phase) -> (Vec<(u64, f64, Phase)>, Phase) {

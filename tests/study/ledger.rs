@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use pendula::methods::SymplecticEuler;
-use pendula::verify::properties::Ladder;
+use pendula_judge::properties::Ladder;
 use pendula_study::claims::stated::CELLS;
 use pendula_study::claims::{Ledger, Measured, Verdict};
 use pendula_study::experiments::{PaperMethod, STEPS, Study, convergence};

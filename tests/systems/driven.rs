@@ -7,9 +7,9 @@ use pendula::dynamics::lyapunov::Watch;
 use pendula::dynamics::{Bundle, Stroboscope, largest_exponent, periodic_orbit};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::systems::Linearised;
-use pendula::verify::properties::driven::{Pushed, check, check_euler};
-use pendula::verify::properties::near;
 use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};
+use pendula_judge::properties::driven::{Pushed, check, check_euler};
+use pendula_judge::properties::near;
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };

@@ -3,7 +3,7 @@
 
 use pendula::Phase;
 use pendula::dynamics::{Monodromy, PeriodicOrbit, period_doubling, root};
-use pendula::verify::properties::near;
+use pendula_judge::properties::near;
 
 // -------------------------------------------------------------------------------------------------
 // Zeros

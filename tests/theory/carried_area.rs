@@ -1,7 +1,7 @@
 //! The image of a square of phase space: its measured area against the determinants of the steps.
 
-use pendula::verify::properties::area::{AREA_TOLERANCE as DETERMINANT, area_defect};
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
+use pendula_judge::properties::area::{AREA_TOLERANCE as DETERMINANT, area_defect};
 use pendula_study::experiments::carried;
 use pendula_study::experiments::shapes::{self, CAT, Place};
 use quadrature::clenshaw_curtis::integrate;

@@ -8,11 +8,11 @@ use pendula::methods::{
     StormerVerlet, Trapezoidal,
 };
 use pendula::registry::InSteps;
-use pendula::verify::properties::{area_defect, energy};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Method, Motion, Pendulum, Phase, exact,
     integrate,
 };
+use pendula_judge::properties::{area_defect, energy};
 use pendula_study::theory::period;
 use rstest::rstest;
 
@@ -97,7 +97,7 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 /// digits; a check that other methods of order 2 would pass.
 #[test]
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
-    use pendula_zoo::completing::{Midpoint, TwiceTheWay};
+    use pendula_judge::zoo::completing::{Midpoint, TwiceTheWay};
     energy::check(&InSteps(DiscreteGradient)).unwrap();
     energy::check(&InSteps(CieslinskiRatkiewicz)).unwrap();
     assert!(energy::check(&TwiceTheWay).is_err());

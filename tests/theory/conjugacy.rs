@@ -7,11 +7,11 @@ use pendula::methods::{
     DiscreteGradient, ImplicitMidpoint, PositionVerlet, Processed4, Processed6, StormerVerlet,
     SymplecticEuler, Trapezoidal,
 };
-use pendula::verify::properties::CheckResult;
-use pendula::verify::properties::conjugacy::{
+use pendula_judge::properties::CheckResult;
+use pendula_judge::properties::conjugacy::{
     PROCESSED_4, PROCESSED_6, check_implicit_pair, check_pair, check_processed,
 };
-use pendula_zoo::euler::DriftKick;
+use pendula_judge::zoo::euler::DriftKick;
 
 /// Ten times what rounding may do.
 const VISIBLE: f64 = 7e-11;

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::verify::properties::reversal::{START, there_and_back};
 use pendula::{
     Grid, Hamiltonian, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate,
     method_named,
 };
+use pendula_judge::properties::reversal::{START, there_and_back};
 use pendula_study::experiments::convergence;
 use pendula_study::theory::{self, Dimensionless, stormer_verlet, symplectic_euler};
 use rstest::rstest;
@@ -325,7 +325,7 @@ fn energy_errors_are_those_of_sixty_digits() {
 /// Catches: an RK4 whose loss of energy is reversible, as an error of order h⁴ would be.
 #[rstest]
 #[case(Pendulum::PAPER)]
-#[case(pendula::verify::properties::pendulum())]
+#[case(pendula_judge::properties::pendulum())]
 fn rk4_returns_with_less_by_what_it_loses(#[case] pendulum: Pendulum) {
     let lost = pendulum.energy(START) - pendulum.energy(there_and_back(&Rk4, &pendulum));
     let law = -2000.0 * theory::rk4::secular_rate(&pendulum, 1.0, 0.01);

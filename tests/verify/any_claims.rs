@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use pendula::Phase;
 use pendula::methods::{Rk4, StormerVerlet};
-use pendula::verify::{
+use pendula_judge::{
     Chosen, Claims, Drive, Fault, FromFn, Reply, Report, Request, Stranger, Verdict, judge,
     try_judge,
 };

@@ -7,10 +7,10 @@
 //! popular check would not have noticed.
 
 use pendula::methods::{ForwardEuler, Rk4};
-use pendula::verify::properties::*;
-use pendula_zoo::high_order::{EntryOff, TermDropped};
-use pendula_zoo::runge_kutta::Tableau;
-use pendula_zoo::{euler, impostor_named, processed};
+use pendula_judge::properties::*;
+use pendula_judge::zoo::high_order::{EntryOff, TermDropped};
+use pendula_judge::zoo::runge_kutta::Tableau;
+use pendula_judge::zoo::{euler, impostor_named, processed};
 use rstest::rstest;
 
 /// Catches: a check that no longer discriminates.

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use pendula::Phase;
-use pendula::verify::{Claims, Fault, Reply, Request, Stranger, Verdict, judge, known_answers};
+use pendula_judge::{Claims, Fault, Reply, Request, Stranger, Verdict, judge, known_answers};
 use rstest::rstest;
 
 /// A run as a user would write it, with the drive's force at the times that it likes: the states

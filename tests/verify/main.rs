@@ -7,7 +7,7 @@ mod common;
 /// Makes of the function `$test` a test for each wrong method.
 macro_rules! each_impostor {
     ($test:ident) => {
-        pendula_zoo::for_each_impostor! { impostors, => $test }
+        pendula_judge::for_each_impostor! { impostors, => $test }
     };
 }
 
@@ -19,8 +19,8 @@ macro_rules! impostors {
 
 mod any_claims;
 mod discrimination;
+mod garbage;
 mod judged;
 mod looks;
 mod metrics;
 mod strangers;
-mod thresholds;

@@ -3,8 +3,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use pendula::verify::{Claims, FromFn, Verdict, judge};
 use pendula::{Hamiltonian, Motion, Pendulum, Phase};
+use pendula_judge::{Claims, FromFn, Verdict, judge};
 use rstest::rstest;
 
 use crate::looks::{self, Run};

@@ -1,7 +1,7 @@
 //! The cells that moved, each quantity once, by method and then by snapshot.
 
 use anyhow::{Context, Result};
-use pendula::verify::sign_of_slopes;
+use pendula_judge::sign_of_slopes;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::tables::cell_at;
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use pendula::methods::METHODS;
+use pendula::METHODS;
 use pendula_output::files;
 use regex::Regex;
 

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use clap::Args;
-use pendula::verify::properties::energy::is_conserved_by;
 use pendula::{AnyMethod, METHODS, MethodInfo};
+use pendula_judge::properties::energy::is_conserved_by;
 use serde_json::{Value, json};
 
 use super::output::{TableFormat, csv};

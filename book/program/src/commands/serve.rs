@@ -5,8 +5,8 @@ use std::io::{self, BufRead, Write};
 
 use clap::Args;
 use pendula::registry::ByName;
-use pendula::verify::{Chosen, Fault, Request, Stranger};
 use pendula::{AnyMethod, Driven, method_named};
+use pendula_judge::{Chosen, Fault, Request, Stranger};
 
 use super::system::methods;
 use crate::verify::protocol::{Question, question};

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula::verify::{Claims, Verdict, try_judge};
+use pendula_judge::{Claims, Verdict, try_judge};
 
 use super::number::number;
 use super::output::Destination;

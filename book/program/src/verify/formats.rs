@@ -1,6 +1,6 @@
 //! The report of the judge for other programs: as JSON, as JUnit XML, and as Markdown.
 
-use pendula::verify::{Finding, Verdict};
+use pendula_judge::{Finding, Verdict};
 use pendula_output::printable::printable;
 use serde_json::{Value, json};
 

@@ -10,7 +10,7 @@ mod process;
 mod program;
 pub mod protocol;
 
-use pendula::verify::{Claims, Report};
+use pendula_judge::{Claims, Report};
 pub use program::Program;
 
 /// A program with what was found of it.

@@ -1,8 +1,8 @@
 //! The report of the judge as one page to keep.
 
 use pendula::Phase;
-use pendula::verify::{Claims, Evidence, Finding, Report, Verdict, scientific};
 use pendula_charts::{Axis, Chart, Figure, Style};
+use pendula_judge::{Claims, Evidence, Finding, Report, Verdict, scientific};
 
 use super::Judged;
 use pendula_output::page::{Page, escaped, with_code};

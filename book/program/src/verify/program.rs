@@ -10,7 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use pendula::Phase;
-use pendula::verify::{Fault, Reply, Request, Stranger};
+use pendula_judge::{Fault, Reply, Request, Stranger};
 
 use super::process::{self, Group, LONGEST, LastLines, Line};
 use super::protocol::{Answer, BYE, HELLO, answer, greeting};

@@ -1,7 +1,7 @@
 //! The lines that `pendula` and a program exchange, version 1. A [`Request`] writes its own line.
 
 use pendula::Phase;
-use pendula::verify::{Drive, Request};
+use pendula_judge::{Drive, Request};
 
 /// The first line of `pendula`.
 pub const HELLO: &str = "hello 1";

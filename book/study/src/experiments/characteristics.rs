@@ -2,9 +2,9 @@
 
 use core::fmt;
 
-use pendula::verify::properties::Ladder;
-use pendula::verify::properties::area::{AREA_STEP, area_defect, area_tolerance};
 use pendula::{Grid, Pendulum, Phase};
+use pendula_judge::properties::Ladder;
+use pendula_judge::properties::area::{AREA_STEP, area_defect, area_tolerance};
 
 use super::{MethodRef, long_run};
 

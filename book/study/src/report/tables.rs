@@ -1,8 +1,8 @@
 //! The paper's tables, stated and measured, from the ledger.
 
 use pendula::metrics::order::slopes;
-use pendula::verify::properties::{PROPERTIES, Property};
-use pendula_zoo::{Impostor, impostors};
+use pendula_judge::properties::{PROPERTIES, Property};
+use pendula_judge::zoo::{Impostor, impostors};
 
 use super::table::Table;
 use crate::claims::{Claim, ClaimKind, Ledger, Measured, cell_id};

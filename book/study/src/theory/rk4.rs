@@ -8,8 +8,8 @@
 //! methods: Hairer, Lubich, Wanner, Sect. IX.1–2.
 
 use pendula::exact::Motion;
-use pendula::verify::properties::error_constant;
 use pendula::{Pendulum, Phase};
+use pendula_judge::properties::error_constant;
 
 use super::tools::flow;
 use super::{Dimensionless, average, polynomial, scaled};

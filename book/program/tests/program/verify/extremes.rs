@@ -1,7 +1,7 @@
 //! Programs that answer with numbers at the limits of f64, and claims at theirs: a verdict, or one
 //! line, and a page that can be drawn.
 
-use pendula::verify::{Claims, FromFn, Report, Stranger, try_judge};
+use pendula_judge::{Claims, FromFn, Report, Stranger, try_judge};
 use pendula_program::verify::{Judged, formats, page};
 use rstest::rstest;
 

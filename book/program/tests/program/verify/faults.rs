@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pendula::verify::{Drive, Fault, Request, Stranger};
+use pendula_judge::{Drive, Fault, Request, Stranger};
 use pendula_program::verify::Program;
 use rstest::rstest;
 use tempfile::TempDir;

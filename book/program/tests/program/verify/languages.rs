@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use pendula::methods::StormerVerlet;
-use pendula::verify::{Drive, Fault, Stranger};
+use pendula_judge::{Drive, Fault, Stranger};
 use rstest::rstest;
 use serde_json::Value;
 

@@ -10,7 +10,7 @@ use std::ffi::OsString;
 use std::time::Duration;
 
 use pendula::Phase;
-use pendula::verify::Request;
+use pendula_judge::Request;
 use pendula_program::verify::Program;
 use serde_json::Value;
 

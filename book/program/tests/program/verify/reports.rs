@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use pendula::methods::StormerVerlet;
-use pendula::verify::{Drive, Stranger};
+use pendula_judge::{Drive, Stranger};
 use roxmltree::Document;
 use serde_json::Value;
 

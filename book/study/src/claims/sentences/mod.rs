@@ -16,12 +16,12 @@ use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};
 use pendula::registry::InSteps;
 use pendula::systems::System;
-use pendula::verify::properties::Ladder;
-use pendula::verify::properties::area::{AREA_STEP, AREA_TOLERANCE, area_defect, cases};
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Motion, Observer, Pendulum, Phase, exact,
 };
-use pendula_zoo::euler::DriftKick;
+use pendula_judge::properties::Ladder;
+use pendula_judge::properties::area::{AREA_STEP, AREA_TOLERANCE, area_defect, cases};
+use pendula_judge::zoo::euler::DriftKick;
 
 use self::runs::*;
 

@@ -1,0 +1,190 @@
+//! What is claimed of a stranger.
+
+use core::fmt;
+use core::str::FromStr;
+
+use crate::known_answers::{self, Known};
+
+/// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (mirror,
+/// turn, units, clock, repeatable, precision, and stage times where there is a drive) is not listed
+/// here.
+///
+/// ```
+/// use pendula::verify::Claims;
+///
+/// let claims: Claims = "order=2 symplectic symmetric evaluations=1".parse()?;
+/// assert_eq!(claims, Claims::order(2).symplectic().symmetric().evaluations(1));
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Claims {
+    /// The order of the state.
+    pub order: Option<u32>,
+    /// That a step keeps the area of phase space.
+    pub symplectic: bool,
+    /// That a step with −h undoes a step with h.
+    pub symmetric: bool,
+    /// That the energy error does not grow with time.
+    pub bounded_energy: bool,
+    /// Force evaluations a step, when many are taken.
+    pub evaluations: Option<u64>,
+    /// The method that it is, by a name of the [known answers](crate::known_answers).
+    pub name: Option<String>,
+}
+
+impl Claims {
+    /// No claims: it is said what the stranger is, and nothing is judged.
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// Whether no claims are made.
+    pub fn are_none(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// That the error of the state falls with the power `order` of the step.
+    pub fn order(order: u32) -> Self {
+        Self { order: Some(order), ..Self::default() }
+    }
+
+    /// And that a step keeps the area of phase space.
+    pub fn symplectic(self) -> Self {
+        Self { symplectic: true, ..self }
+    }
+
+    /// And that a step with −h undoes a step with h.
+    pub fn symmetric(self) -> Self {
+        Self { symmetric: true, ..self }
+    }
+
+    /// And that the energy error does not grow with time.
+    pub fn bounded_energy(self) -> Self {
+        Self { bounded_energy: true, ..self }
+    }
+
+    /// And that a step takes so many force evaluations, when many are taken.
+    pub fn evaluations(self, a_step: u64) -> Self {
+        Self { evaluations: Some(a_step), ..self }
+    }
+
+    /// And that it is the method of this [name](pendula::MethodInfo::name), or of one of the
+    /// [known answers](crate::known_answers).
+    pub fn name(self, name: impl Into<String>) -> Self {
+        Self { name: Some(name.into()), ..self }
+    }
+
+    /// The method that is claimed.
+    pub(super) fn method(&self) -> Option<&'static Known> {
+        self.name.as_deref().and_then(known_answers::method)
+    }
+
+    /// Whether the method that is claimed has this name.
+    pub(super) fn is_named(&self, name: &str) -> bool {
+        let entry = known_answers::method(name).map(|known| &known.name);
+        entry.is_some() && entry == self.method().map(|known| &known.name)
+    }
+
+    /// The claims of an entry of the library, its name among them. An implicit method claims no
+    /// evaluations: their number depends on the sweeps. Beyond order 8 an energy error is rounding,
+    /// of which nothing is claimed.
+    pub fn of(entry: &pendula::MethodInfo) -> Self {
+        Self {
+            order: Some(entry.order),
+            symplectic: entry.symplectic,
+            symmetric: entry.symmetric,
+            bounded_energy: entry.symplectic && entry.order <= 8,
+            evaluations: (!entry.implicit).then_some(entry.force_evaluations),
+            name: Some(entry.name.to_string()),
+        }
+    }
+}
+
+/// The largest number that a claim in words may have.
+const MOST: u64 = 99_999;
+
+/// The first characters of a word that is quoted.
+fn shortened(word: &str) -> String {
+    const SHOWN: usize = 60;
+    match word.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &word[..end]),
+        None => word.to_string(),
+    }
+}
+
+/// That there is no method of this name, and which have one like it.
+fn unknown(name: &str) -> String {
+    let begins = |known: &&Known| {
+        let beginning = name.get(..3).unwrap_or(name);
+        !beginning.is_empty() && known.name.starts_with(&beginning.to_ascii_lowercase())
+    };
+    let like = known_answers::methods().iter().filter(begins).map(|known| known.name.as_str());
+    let like: Vec<&str> = like.collect();
+    let like = if like.is_empty() { vec!["rk4", "stormer-verlet", "…"] } else { like };
+    format!(
+        "name={}: no method of snapshots/known-answers.json has this name; there are {}",
+        shortened(name),
+        like.join(", ")
+    )
+}
+
+/// The words of a claim, separated by blanks: `order=2 symplectic symmetric bounded-energy
+/// evaluations=1 name=stormer-verlet`. The numbers are from 1 to 99 999.
+impl FromStr for Claims {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut claims = Self::default();
+        for word in text.split_whitespace() {
+            let (key, value) = word.split_once('=').map_or((word, None), |(k, v)| (k, Some(v)));
+            let number = || -> Result<u64, String> {
+                let given = value.unwrap_or_default();
+                let is_digits = given.bytes().all(|byte| byte.is_ascii_digit());
+                let number = given.parse().ok().filter(|number| (1..=MOST).contains(number));
+                number.filter(|_| is_digits).ok_or_else(|| {
+                    format!("{}: {key} is a whole number from 1 to {MOST}", shortened(word))
+                })
+            };
+            let repeated = match key {
+                "order" => claims.order.replace(number()? as u32).is_some(),
+                "evaluations" => claims.evaluations.replace(number()?).is_some(),
+                "name" => {
+                    let name = value.unwrap_or_default();
+                    known_answers::method(name).ok_or_else(|| unknown(name))?;
+                    claims.name.replace(name.to_string()).is_some()
+                }
+                "symplectic" | "symmetric" | "bounded-energy" if value.is_some() => {
+                    return Err(format!("{}: {key} takes no value", shortened(word)));
+                }
+                "symplectic" => core::mem::replace(&mut claims.symplectic, true),
+                "symmetric" => core::mem::replace(&mut claims.symmetric, true),
+                "bounded-energy" => core::mem::replace(&mut claims.bounded_energy, true),
+                _ => {
+                    return Err(format!(
+                        "{}: no such claim; there are order=P, symplectic, symmetric, \
+                         bounded-energy, evaluations=N and name=METHOD",
+                        shortened(word)
+                    ));
+                }
+            };
+            if repeated {
+                return Err(format!("{}: claimed twice", shortened(word)));
+            }
+        }
+        Ok(claims)
+    }
+}
+
+impl fmt::Display for Claims {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = [
+            self.order.map(|order| format!("order={order}")),
+            self.symplectic.then(|| "symplectic".to_string()),
+            self.symmetric.then(|| "symmetric".to_string()),
+            self.bounded_energy.then(|| "bounded-energy".to_string()),
+            self.evaluations.map(|a_step| format!("evaluations={a_step}")),
+            self.name.as_ref().map(|name| format!("name={name}")),
+        ];
+        f.write_str(&words.into_iter().flatten().collect::<Vec<_>>().join(" "))
+    }
+}

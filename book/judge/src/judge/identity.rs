@@ -1,0 +1,279 @@
+//! What it really is: the step compared with those of the library's methods, at finite steps, to
+//! the rounding.
+
+use core::fmt;
+
+use super::answers::Match;
+use super::claims::Claims;
+use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
+use super::report::{Finding, Scientific, about, raised};
+use super::verdict::{Measured, Trouble, Verdict};
+use crate::known_answers;
+use crate::properties::error_constant::extrapolated;
+use crate::stranger::Request;
+use pendula::systems::{Phase, Separable};
+use pendula::{AnyMethod, METHODS, MethodInfo};
+
+/// From where a method is seen: a stranger's states are those of the method, or lie a part of a
+/// kick or a drift before them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Kicks ahead of the method's own states: half a kick makes symplectic Euler Störmer–Verlet.
+    pub kicks: f64,
+    /// Drifts ahead of them.
+    pub drifts: f64,
+}
+
+impl Seen {
+    pub(super) const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
+
+    pub(super) const ALL: [Self; 9] = [
+        Self::DIRECTLY,
+        Self { kicks: 0.5, drifts: 0.0 },
+        Self { kicks: -0.5, drifts: 0.0 },
+        Self { kicks: 1.0, drifts: 0.0 },
+        Self { kicks: -1.0, drifts: 0.0 },
+        Self { kicks: 0.0, drifts: 0.5 },
+        Self { kicks: 0.0, drifts: -0.5 },
+        Self { kicks: 0.0, drifts: 1.0 },
+        Self { kicks: 0.0, drifts: -1.0 },
+    ];
+
+    /// All but [`Self::DIRECTLY`].
+    pub(super) fn elsewhere() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|seen| *seen != Self::DIRECTLY)
+    }
+
+    /// The stranger's state for one of the method's own.
+    pub fn from_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+        let pendulum = pendulum(g_over_l);
+        let z = pendulum.kick(z, pendulum.force(0.0, z), self.kicks * h);
+        pendulum.drift(z, self.drifts * h)
+    }
+
+    /// The method's own state for a state of the stranger.
+    pub fn into_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
+        Self { kicks: -self.kicks, drifts: -self.drifts }.from_its_own(g_over_l, z, h)
+    }
+}
+
+impl fmt::Display for Seen {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (by, what) =
+            if self.kicks == 0.0 { (self.drifts, "drift") } else { (self.kicks, "kick") };
+        let much = if by.abs() == 1.0 { "a whole" } else { "half a" };
+        write!(f, "{much} {what} {}", if by > 0.0 { "ahead" } else { "behind" })
+    }
+}
+
+/// A known method that a stranger is.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Identity {
+    /// The method's name on the command line, or that of the
+    /// [known answers](crate::known_answers) if it is not of the library.
+    pub method: &'static str,
+    /// Its name in text.
+    pub title: &'static str,
+    /// From where it is seen.
+    pub seen: Seen,
+    /// Whether only the angles are the method's, and the velocities are not.
+    pub angles_only: bool,
+    /// By how much a step differs at most (rad).
+    pub apart: f64,
+}
+
+impl Identity {
+    /// Whether the states are those of the method, from where it stands itself.
+    pub fn is_plain(&self) -> bool {
+        self.seen == Seen::DIRECTLY && !self.angles_only
+    }
+}
+
+/// What is in the library has its names there.
+impl From<Match> for Identity {
+    fn from(Match { known, apart, .. }: Match) -> Self {
+        let of_the_library = METHODS.iter().map(|method| method.info()).find(|info| {
+            known_answers::method(info.name).is_some_and(|entry| entry.name == known.name)
+        });
+        let (method, title) = match of_the_library {
+            Some(info) => (info.name, info.title),
+            None => (known.name.as_str(), known.also.first().unwrap_or(&known.name).as_str()),
+        };
+        Self { method, title, seen: Seen::DIRECTLY, angles_only: false, apart }
+    }
+}
+
+impl fmt::Display for Identity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { method, title, seen, angles_only, apart } = self;
+        f.write_str(title)?;
+        if title != method {
+            write!(f, " ({method})")?;
+        }
+        if *seen != Seen::DIRECTLY {
+            write!(f, ", seen {seen}")?;
+        }
+        if *angles_only {
+            f.write_str(", by its angles; the velocities are others")?;
+        }
+        match *apart {
+            0.0 => f.write_str(", to the bit in eight steps"),
+            apart => write!(f, ", to {} rad in eight steps", about(apart)),
+        }
+    }
+}
+
+/// From where the eight steps are compared.
+const STARTS: [Phase; 3] = [
+    Phase { theta: 1.0, omega: 0.7 },
+    Phase { theta: -2.4, omega: 3.0 },
+    Phase { theta: 0.3, omega: -6.0 },
+];
+/// x = ω₀h of the steps: the higher the order, the longer the step at which two methods differ.
+const STEPS: [f64; 4] = [0.05, 0.3, 0.8, 1.1];
+const COUNT: u64 = 8;
+
+/// The states of a method of the library after 1, 2, … steps, as they are seen from there.
+pub fn own_states(
+    method: &dyn AnyMethod,
+    seen: Seen,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
+    let own = seen.into_its_own(G_OVER_L, start, h);
+    let states = states_after(method, G_OVER_L, own, h, count)?;
+    Some(states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
+}
+
+/// The stranger's states in a few runs of eight steps, with which known methods are compared.
+pub struct Asked {
+    /// Start, step (s) and states, where it answers.
+    runs: Vec<(Phase, f64, Vec<Phase>)>,
+    /// What rounding, and a tolerance inside it, may make of them (rad).
+    bound: f64,
+}
+
+impl Asked {
+    /// Asks.
+    pub fn of(probe: &Probe<'_>) -> Measured<Self> {
+        let mut runs = Vec::new();
+        for start in STARTS {
+            for x in STEPS {
+                match probe.states(Request::run(start, step(x), COUNT)) {
+                    Ok(states) => runs.push((start, step(x), states)),
+                    Err(Trouble::NoAnswer(_) | Trouble::NotFinite) if x > STEPS[0] => {}
+                    Err(trouble) => return Err(trouble),
+                }
+            }
+        }
+        // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad,
+        // and neighbours that part by a factor of ten at most.
+        let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
+        // And what a tolerance inside the stranger may add.
+        let tolerance = probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0);
+        Ok(Self { runs, bound: rounding + 100.0 * tolerance })
+    }
+
+    /// By how much its states differ from those of `method`, as `apart` measures it (rad); `None`
+    /// if by more than the bound, or `at_least` if that is more. Where a method has no solution,
+    /// nothing is compared.
+    pub fn apart(
+        &self,
+        at_least: f64,
+        apart: fn(Phase, Phase) -> f64,
+        method: impl Fn(Phase, f64, u64) -> Option<Vec<Phase>>,
+    ) -> Option<f64> {
+        let (mut largest, mut compared) = (0.0_f64, false);
+        for (start, h, states) in &self.runs {
+            let own = method(*start, *h, COUNT)?;
+            if own.iter().any(|z| z.theta.is_nan()) {
+                continue;
+            }
+            compared = true;
+            let off = own.iter().zip(states).map(|(own, z)| apart(*own, *z));
+            largest = off.fold(largest, libm::fmaximum);
+            if largest.is_nan() || largest > self.bound.max(at_least) {
+                return None;
+            }
+        }
+        compared.then_some(largest)
+    }
+}
+
+/// The known method that the stranger is, seen directly; else that of the library, seen from half a
+/// kick or drift away or by its angles alone, and of several that of the order `shown`.
+pub fn identify(
+    probe: &Probe<'_>,
+    known: Option<Match>,
+    shown: Option<u32>,
+) -> Measured<Option<Identity>> {
+    if let Some(found) = known {
+        return Ok(Some(Identity::from(found)));
+    }
+    let asked = Asked::of(probe)?;
+    let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
+    let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
+    let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);
+    for (angles_only, methods) in [(false, &first), (false, &then), (true, &first), (true, &then)] {
+        let apart = if angles_only { angle } else { distance };
+        for seen in Seen::ALL {
+            // The angles do not show a kick at the end, and a drift is no other method's angle.
+            if if angles_only { seen.drifts != 0.0 } else { seen == Seen::DIRECTLY } {
+                continue;
+            }
+            for method in methods {
+                let own = |start, h, count| own_states(*method, seen, start, h, count);
+                if let Some(apart) = asked.apart(0.0, apart, own) {
+                    let MethodInfo { name, title, .. } = method.info();
+                    let identity = Identity { method: name, title, seen, angles_only, apart };
+                    return Ok(Some(identity));
+                }
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// What is to be said of a claim to be the method `name`.
+pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Finding {
+    let (verdict, why) = match identity {
+        Some(identity) if identity.is_plain() && claims.is_named(identity.method) => {
+            (Verdict::Holds, "its steps are those of the method".to_string())
+        }
+        Some(identity) => (Verdict::Fails, format!("it is {identity}")),
+        None => (Verdict::Fails, "its steps are those of no known method".to_string()),
+    };
+    let measured = identity.map_or("none that is known", |identity| identity.method).to_string();
+    let values = identity.map(|identity| identity.apart).into_iter().collect();
+    Finding { measured, values, unit: "rad", verdict, why, ..Finding::default() }
+}
+
+/// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
+/// units of 1/ω₀: by a short step, extrapolated with a half and a quarter of it.
+pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
+    let start = Phase { theta: 1.0, omega: frequency() };
+    let truth = exact(G_OVER_L, start);
+    // A coefficient of the error is about 1/(order + 1)!, as in a Taylor series, or some tens of
+    // times less. So long a step that rounding is a thirty-thousandth of that at the quarter.
+    let power = f64::from(order + 1);
+    let factorial: f64 = (1..=order + 1).map(f64::from).product();
+    let quarter = libm::pow(3e4 * factorial * probe.rounding, 1.0 / power);
+    let x = (4.0 * quarter).clamp(0.02, 0.6);
+    let error = |x: f64| -> Measured<[f64; 2]> {
+        let h = step(x);
+        let (z, true_z) = (probe.end(Request::run(start, h, 1))?, truth.at(h));
+        let over = libm::pow(x, power);
+        Ok([(z.theta - true_z.theta) / over, (z.omega - true_z.omega) / frequency() / over])
+    };
+    let errors = [error(x)?, error(0.5 * x)?, error(0.25 * x)?];
+    Ok([0, 1].map(|i| extrapolated(errors.map(|error| error[i]))))
+}
+
+/// The same in words.
+pub fn error_in_words(probe: &Probe<'_>, order: u32) -> Measured<String> {
+    let [theta, omega] = leading_error(probe, order)?.map(|error| Scientific(error, 3));
+    let power = raised(order as usize + 1);
+    Ok(format!("the error of a step at (1 rad, ω₀) is ({theta}, {omega}) x{power} in θ and ω/ω₀"))
+}

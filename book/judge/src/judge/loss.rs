@@ -1,0 +1,112 @@
+//! What a step loses: a factor that no formula of the method has.
+
+use super::area;
+use super::identity::Identity;
+use super::probe::{G_OVER_L, Probe, energy, pendulum, step};
+use super::report::{Finding, about, scientific};
+use super::verdict::{Measured, Verdict};
+use crate::properties::flipped;
+use crate::stranger::Request;
+use pendula::systems::Phase;
+use pendula::{Grid, method_named};
+
+/// A loss a step, with the limit of what can be seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Loss {
+    /// The share that is lost in a step.
+    pub a_step: f64,
+    /// What rounding may make of it.
+    pub bound: f64,
+    /// What a tolerance inside the stranger may make of it.
+    pub tolerance: f64,
+    /// How it was measured.
+    pub by: &'static str,
+}
+
+const STEPS: u64 = 10_000;
+const X: f64 = 0.05;
+const START: Phase = Phase { theta: 1.2, omega: 0.8 };
+
+/// What rounding may make of the energy in `steps` steps, a step: a random walk, the largest of
+/// some thousand.
+fn bound(probe: &Probe<'_>, steps: u64) -> f64 {
+    10.0 * probe.rounding / libm::sqrt(steps as f64)
+}
+
+/// Of a symmetric method: out, and home with the velocity reversed. What a formula of the method
+/// does to the energy on the way out it undoes on the way home; a loss is lost on both.
+fn by_reversal(probe: &Probe<'_>) -> Measured<Loss> {
+    let steps = probe.in_time(STEPS)?;
+    let there = probe.end(Request::run(START, step(X), steps))?;
+    let back = probe.end(Request::run(flipped(there), step(X), steps))?;
+    let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * steps as f64);
+    let by = "the energy after the way out and home";
+    Ok(Loss::of(probe, a_step, bound(probe, 2 * steps), by))
+}
+
+/// Of a method that is on the list: its own energy after as many steps.
+fn by_identity(probe: &Probe<'_>, identity: &Identity) -> Option<Measured<Loss>> {
+    let method = method_named(identity.method)?;
+    let steps = match probe.in_time(STEPS) {
+        Ok(steps) => steps,
+        Err(trouble) => return Some(Err(trouble)),
+    };
+    let grid = Grid::new(step(X), steps).ok()?;
+    let start = identity.seen.into_its_own(G_OVER_L, START, step(X));
+    let end = method.end(&pendulum(G_OVER_L), start, &grid);
+    let own = energy(identity.seen.from_its_own(G_OVER_L, end, step(X)));
+    Some(probe.end(Request::run(START, step(X), steps)).map(|end| {
+        // Beside the amplitude the phase differs, and with it where in its oscillation the energy
+        // is: by rounding, times the slope of that oscillation.
+        let phase = probe.rounding_bound(steps, X) / steps as f64;
+        let a_step = (1.0 - energy(end) / own) / steps as f64;
+        Loss::of(probe, a_step, bound(probe, steps) + phase, "the energy beside its own method's")
+    }))
+}
+
+/// Of a symplectic method: the area after many steps.
+fn by_area(probe: &Probe<'_>) -> Measured<Loss> {
+    let (gain, bound) = area::gain(probe, probe.in_time(STEPS)?)?;
+    Ok(Loss::of(probe, -gain, 10.0 * bound, "the area after many steps"))
+}
+
+/// What is lost in a step, by what the method has that would not lose it: its identity, its
+/// symmetry, or its area. `None` if it has none of them.
+pub fn measure(
+    probe: &Probe<'_>,
+    identity: Option<&Identity>,
+    symmetric: bool,
+    symplectic: bool,
+) -> Option<Measured<Loss>> {
+    let identified = identity.and_then(|identity| by_identity(probe, identity));
+    identified.or_else(|| {
+        if symmetric { Some(by_reversal(probe)) } else { symplectic.then(|| by_area(probe)) }
+    })
+}
+
+impl Loss {
+    fn of(probe: &Probe<'_>, a_step: f64, bound: f64, by: &'static str) -> Self {
+        Self { a_step, bound, tolerance: probe.tolerance_a_step(), by }
+    }
+
+    /// What is to be said of a claim that nothing is lost.
+    pub fn judge(&self) -> Finding {
+        let Self { a_step, bound, tolerance, by } = *self;
+        let mut why = format!(
+            "by {by}: {} a step, where rounding makes {} at most",
+            scientific(a_step),
+            about(bound)
+        );
+        let mut verdict = Verdict::of(a_step.abs(), bound, 10.0 * bound);
+        if verdict == Verdict::Fails && a_step.abs() <= tolerance {
+            verdict = Verdict::Unclear;
+            why.push_str("; a tolerance inside it may do so");
+        }
+        let measured = if a_step.abs() <= bound {
+            format!("less than {} a step", about(bound))
+        } else {
+            format!("{} a step", scientific(a_step))
+        };
+        Finding { measured, why, ..Finding::number(a_step, "a step", bound, verdict) }
+    }
+}

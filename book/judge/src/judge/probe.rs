@@ -1,0 +1,210 @@
+//! How a stranger is asked: the requests of the judge, their answers checked, and the size of the
+//! stranger's own roundings.
+
+use core::fmt;
+
+use super::verdict::{Measured, Trouble};
+use crate::stranger::{Chosen, Fault, Reply, Request, Stranger};
+use pendula::AnyMethod;
+use pendula::exact::Motion;
+use pendula::systems::{Hamiltonian, Pendulum, Phase};
+
+/// g/L of most requests (1/s²): not the paper's, and no power of two.
+pub const G_OVER_L: f64 = 12.2625;
+
+/// √(g/L) (rad/s).
+pub fn frequency() -> f64 {
+    libm::sqrt(G_OVER_L)
+}
+
+/// The step (s) of which x = ω₀h is `x`.
+pub fn step(x: f64) -> f64 {
+    x / frequency()
+}
+
+/// A stranger, with what has to be known of it before anything can be asked.
+pub struct Probe<'s> {
+    stranger: &'s dyn Stranger,
+    /// The rounding of a step, relative to a state of order 1: as measured, from 2⁻⁵² to 1.
+    pub rounding: f64,
+    /// The same, if it could be measured.
+    pub measured_rounding: Measured<f64>,
+    /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
+    /// other units of time, where that is too little to be a mistake.
+    tolerance: f64,
+    /// The most steps of a request that it answers in time.
+    longest: u64,
+}
+
+impl fmt::Debug for Probe<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { measured_rounding, tolerance, longest, .. } = self;
+        f.debug_struct("Probe")
+            .field("measured_rounding", measured_rounding)
+            .field("tolerance", tolerance)
+            .field("longest", longest)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Request {
+    /// `steps` steps of `step` (s) from `start`, of the undamped pendulum with the g/L of most
+    /// requests, each state asked for.
+    pub(super) const fn run(start: Phase, step: f64, steps: u64) -> Self {
+        Self::new(G_OVER_L, start, step, steps)
+    }
+
+    /// With another g/L (1/s²).
+    pub(super) const fn with(self, g_over_l: f64) -> Self {
+        Self { g_over_l, ..self }
+    }
+}
+
+impl<'s> Probe<'s> {
+    /// Ready to ask, of a stranger without a tolerance; the rounding is measured at once.
+    pub fn new(stranger: &'s dyn Stranger) -> Measured<Self> {
+        let longest = stranger.longest_run();
+        let measured_rounding = Ok(f64::EPSILON);
+        let rounding = f64::EPSILON;
+        let mut probe = Self { stranger, rounding, measured_rounding, tolerance: 0.0, longest };
+        match probe.measure_rounding() {
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            measured => {
+                probe.measured_rounding = measured.map(|rounding| rounding.max(f64::EPSILON));
+            }
+        }
+        // What is more than the states themselves is no rounding.
+        probe.rounding = probe.measured_rounding.clone().map_or(f64::EPSILON, |x| x.min(1.0));
+        Ok(probe)
+    }
+
+    /// With what a tolerance inside the stranger makes of 200 steps (rad).
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// As many of `steps` as it can take in time, in whole twenties; no answer if these are less
+    /// than a tenth.
+    pub fn in_time(&self, steps: u64) -> Measured<u64> {
+        let possible = steps.min(self.longest - self.longest % 20);
+        if possible < steps / 10 {
+            let longest = self.longest;
+            return Err(Trouble::NoAnswer(format!("only {longest} steps are possible in time")));
+        }
+        Ok(possible)
+    }
+
+    /// The answer to a request, as it is.
+    pub fn ask(&self, request: &Request) -> Measured<Reply> {
+        let reply = self.stranger.answer(request).map_err(|fault| match fault {
+            Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
+            Fault::Refused(why) => Trouble::NoAnswer(why),
+            Fault::Broken(why) => Trouble::Broken(why),
+        })?;
+        let (asked, came) = (request.states(), reply.states.len() as u64);
+        if came != asked {
+            return Err(Trouble::Count { asked, came });
+        }
+        let finite = |z: &Phase| z.theta.is_finite() && z.omega.is_finite();
+        if !reply.states.iter().all(finite) {
+            return Err(Trouble::NotFinite);
+        }
+        Ok(reply)
+    }
+
+    /// The states of a run.
+    pub fn states(&self, run: Request) -> Measured<Vec<Phase>> {
+        Ok(self.ask(&run)?.states)
+    }
+
+    /// The last state of a run, which alone is asked for.
+    pub fn end(&self, run: Request) -> Measured<Phase> {
+        Ok(self.states(run.every(run.steps))?[0])
+    }
+
+    /// The bound for the rounding (rad) of an angle of order 1 after `steps` steps of x = ω₀h:
+    /// each step rounds by [`Self::rounding`], which adds up like a random walk in the state and,
+    /// since an error of the energy is one of the frequency, like its sum in the phase. The factor
+    /// is what the largest of some thousand such sums may exceed their mean by.
+    pub fn bound(&self, steps: u64, x: f64) -> f64 {
+        self.rounding_bound(steps, x) + self.tolerance + steps as f64 * self.tolerance_a_step()
+    }
+
+    /// What a tolerance inside the stranger may make of the state in a step, relative to a state
+    /// of order 1.
+    pub fn tolerance_a_step(&self) -> f64 {
+        self.tolerance / 200.0
+    }
+
+    /// [`Self::bound`] without what a tolerance inside the stranger may add.
+    pub fn rounding_bound(&self, steps: u64, x: f64) -> f64 {
+        let n = steps as f64;
+        10.0 * self.rounding * libm::sqrt(n) * (1.0 + n * x.abs())
+    }
+
+    /// The rounding of a step, relative to a state of order 1.
+    ///
+    /// Along sixteen starts, 2⁻²⁰ apart, the end of a smooth map has third differences of 10⁻²⁰;
+    /// what is found beyond is rounding, of which a third difference has √20 times. A map that
+    /// rounds more coarsely than the starts are apart would show none: so the ends must be apart as
+    /// the derivative says, which a hundredth to either side tells to a thousandth.
+    fn measure_rounding(&self) -> Measured<f64> {
+        const APART: f64 = 1.0 / 1_048_576.0;
+        let h = step(0.1);
+        let mut largest = 0.0_f64;
+        for (theta, omega) in [(0.9, 0.3), (-0.7, 2.1)] {
+            let end = |shift: f64| -> Measured<[f64; 2]> {
+                let z = self.end(Request::run(Phase { theta: theta + shift, omega }, h, 1))?;
+                Ok([z.theta, z.omega / frequency()])
+            };
+            let ends = (0..16).map(|j| end(f64::from(j) * APART)).collect::<Measured<Vec<_>>>()?;
+            let (above, below) = (end(0.01)?, end(-0.01)?);
+            for k in 0..2 {
+                let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
+                let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
+                let noise = along.windows(4).map(third).fold(0.0, libm::fmaximum);
+                let expected = 15.0 * APART * (above[k] - below[k]) / 0.02;
+                let missing = (along[15] - along[0] - expected).abs();
+                for found in [noise / libm::sqrt(20.0), missing - 1e-3 * expected.abs()] {
+                    largest = libm::fmaximum(largest, found);
+                }
+            }
+        }
+        // States at the end of the range have differences beyond it.
+        if largest.is_finite() { Ok(largest) } else { Err(Trouble::NotFinite) }
+    }
+}
+
+/// The pendulum with this g/L (1/s²).
+pub fn pendulum(g_over_l: f64) -> Pendulum {
+    Pendulum::new(g_over_l, 1.0, 1.0).expect("g/L of a request of ours")
+}
+
+/// The states of a method of the library on the pendulum with this g/L (1/s²), after 1, 2, …
+/// `count` steps of `h` (s); none if there are no such steps. Negative ones are those of the
+/// mirrored motion.
+pub fn states_after(
+    method: &dyn AnyMethod,
+    g_over_l: f64,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
+    let request = Request::run(start, h, count).with(g_over_l);
+    Some(Chosen::new(method).answer(&request).ok()?.states)
+}
+
+/// The energy above the bottom, in units of mgL.
+pub fn energy(z: Phase) -> f64 {
+    pendulum(G_OVER_L).energy(z) / G_OVER_L
+}
+
+/// The exact motion from `start`.
+pub fn exact(g_over_l: f64, start: Phase) -> Motion {
+    Motion::new(&pendulum(g_over_l), start).expect("a finite start")
+}
+
+/// The distance of two states: max(|Δθ|, |Δω|/ω₀) (rad), NaN if one of them is.
+pub fn distance(a: Phase, b: Phase) -> f64 {
+    libm::fmaximum((a.theta - b.theta).abs(), (a.omega - b.omega).abs() / frequency())
+}

@@ -1,0 +1,270 @@
+//! What the judge found, and how its numbers are written.
+
+use core::fmt;
+
+use super::identity::Identity;
+use super::verdict::{Trouble, Verdict};
+use crate::known_answers::Known;
+use pendula::systems::Phase;
+
+/// What was found of one property.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Finding {
+    /// The property.
+    pub name: &'static str,
+    /// What is claimed; "implied" for what everybody claims as soon as anything is claimed.
+    pub claimed: Option<String>,
+    /// What was measured, in words.
+    pub measured: String,
+    /// The numbers of it, in [`unit`](Self::unit); none if it was not measured.
+    pub values: Vec<f64>,
+    /// The unit of the numbers: "rad", "a step"; empty for pure numbers.
+    pub unit: &'static str,
+    /// What the value may be at most where the claim holds, if one number decides.
+    pub bound: Option<f64>,
+    /// What is to be said of the claim.
+    pub verdict: Verdict,
+    /// The bound, where it comes from, and what follows; or why it was not measured.
+    pub why: String,
+}
+
+impl Finding {
+    /// One number, which `bound` decides.
+    pub(super) fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
+        Self { values: vec![value], unit, bound: Some(bound), verdict, ..Self::default() }
+    }
+
+    /// That nothing is known, and why.
+    pub(super) fn nothing(why: String) -> Self {
+        Self { measured: "–".to_string(), why, ..Self::default() }
+    }
+}
+
+/// What a measurement that was not had says: a stranger without an answer was not measured, one
+/// with a wrong answer fails.
+impl From<Trouble> for Finding {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::NoAnswer(why) => Self::nothing(why),
+            other => {
+                let why = other.to_string();
+                Self { verdict: Verdict::Fails, measured: why.clone(), why, ..Self::default() }
+            }
+        }
+    }
+}
+
+/// Measurements that a report can draw.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Evidence {
+    /// Step (s) and largest error (rad) on the ladder that shows the order.
+    pub ladder: Vec<(f64, f64)>,
+    /// Time (s) and relative energy error, (H − H₀)/(g/L), of a long run.
+    pub energy: Vec<(f64, f64)>,
+    /// The corners of a square, its images after one step, and the centre of both.
+    pub square: Option<([Phase; 4], [Phase; 4])>,
+    /// States on a way out from the start on, and of the way back.
+    pub way: Option<(Vec<Phase>, Vec<Phase>)>,
+}
+
+/// What the judge found.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Report {
+    /// Of all claims: `Fails` if one does; else `NotMeasured` or `Unclear` if one is; else `Holds`.
+    /// Without claims `Unclaimed`, or `NotMeasured` if nothing could be measured at all.
+    pub verdict: Verdict,
+    /// The known method that it really is, if it is one.
+    pub identity: Option<Identity>,
+    /// The known mistake that it makes, if a claim fails or none is made.
+    pub mistake: Option<&'static Known>,
+    /// What is to be said of its step where it is none: order, symmetry and leading error.
+    pub description: String,
+    /// What to look at to mend it: at most three sentences, the cause first.
+    pub look_at: Vec<String>,
+    /// Property by property.
+    pub findings: Vec<Finding>,
+    /// What a report can draw.
+    pub evidence: Evidence,
+}
+
+impl Report {
+    /// The finding of this name.
+    pub fn finding(&self, name: &str) -> Option<&Finding> {
+        self.findings.iter().find(|finding| finding.name == name)
+    }
+
+    /// Names of the claimed properties with this verdict.
+    fn claimed(&self, verdict: Verdict) -> impl Iterator<Item = &'static str> {
+        let those = self.findings.iter().filter(|finding| finding.claimed.is_some());
+        those.filter(move |finding| finding.verdict == verdict).map(|finding| finding.name)
+    }
+
+    /// Names of the properties whose claims fail.
+    pub fn failures(&self) -> impl Iterator<Item = &'static str> {
+        self.claimed(Verdict::Fails)
+    }
+
+    /// Notes the verdict on all claims, or on none.
+    #[doc(hidden)]
+    pub fn conclude(&mut self, none_made: bool) {
+        let of = |verdict| self.claimed(verdict).next().is_some();
+        let measured = |finding: &Finding| !finding.values.is_empty();
+        let worst = [Verdict::Fails, Verdict::NotMeasured, Verdict::Unclear];
+        self.verdict = if none_made {
+            let any = self.findings.iter().any(measured);
+            if any { Verdict::Unclaimed } else { Verdict::NotMeasured }
+        } else {
+            worst.into_iter().find(|verdict| of(*verdict)).unwrap_or(Verdict::Holds)
+        };
+    }
+
+    /// What it is, in words without a full stop.
+    pub fn what_it_is(&self) -> String {
+        match &self.identity {
+            Some(identity) => identity.to_string(),
+            None => self.description.clone(),
+        }
+    }
+
+    /// Whether claims were made.
+    fn anything_claimed(&self) -> bool {
+        self.findings.iter().any(|finding| finding.claimed.is_some())
+    }
+
+    /// The verdict in a sentence.
+    pub fn summary(&self) -> String {
+        if !self.anything_claimed() {
+            return match self.verdict {
+                Verdict::NotMeasured => "No claims made, and nothing was measured.".to_string(),
+                _ => format!("No claims made. It is {}.", self.what_it_is()),
+            };
+        }
+        let named = |verdict, before: &str| {
+            let names: Vec<&str> = self.claimed(verdict).collect();
+            (!names.is_empty()).then(|| format!("{before}{}", names.join(", ")))
+        };
+        let many = self.failures().nth(1).is_some();
+        let parts = [
+            named(Verdict::Fails, if many { "Claims fail: " } else { "A claim fails: " }),
+            named(Verdict::NotMeasured, "not measured: "),
+            named(Verdict::Unclear, "unclear: "),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match self.verdict {
+            Verdict::Holds => "Every claim holds.".to_string(),
+            Verdict::Fails => format!("{}.", parts.join("; ")),
+            _ => format!("No claim fails, but not every one is shown; {}.", parts.join("; ")),
+        }
+    }
+
+    /// Panics with the report unless every claim was measured and holds.
+    ///
+    /// # Panics
+    /// That is what it is for, in a test.
+    #[track_caller]
+    pub fn assert(&self) {
+        assert!(self.verdict == Verdict::Holds, "\n{self}");
+    }
+}
+
+/// The most characters to which a column is filled up: a formatter panics beyond 65 535, and a name
+/// that is claimed may be of any length.
+const WIDEST: usize = 100;
+
+/// The report as a table.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let claimed =
+            |finding: &Finding| finding.claimed.clone().unwrap_or_else(|| "–".to_string());
+        let rows = || {
+            let rows = self.findings.iter();
+            rows.map(|x| [x.name.to_string(), claimed(x), x.verdict.name().to_string()])
+        };
+        let head = ["property", "claimed", "verdict"].map(str::to_string);
+        let widths = rows().chain([head.clone()]).fold([0; 3], |widths, row| {
+            core::array::from_fn(|i| widths[i].max(row[i].chars().count()).min(WIDEST))
+        });
+        let padded = |row: [String; 3]| {
+            let cells = row.into_iter().zip(widths);
+            let cells = cells.map(|(cell, width)| format!("{cell:width$}  "));
+            cells.collect::<String>()
+        };
+        writeln!(f, "{}measured", padded(head))?;
+        for (finding, row) in self.findings.iter().zip(rows()) {
+            let Finding { measured, verdict, why, .. } = finding;
+            match verdict {
+                Verdict::NotMeasured => writeln!(f, "{}{why}", padded(row))?,
+                _ => writeln!(f, "{}{measured}", padded(row))?,
+            }
+            if matches!(verdict, Verdict::Fails | Verdict::Unclear) {
+                writeln!(f, "    {}: {why}", verdict.name())?;
+            }
+        }
+        if !self.look_at.is_empty() {
+            writeln!(f, "\nWhat to look at:")?;
+            for line in &self.look_at {
+                writeln!(f, "  • {line}")?;
+            }
+        }
+        writeln!(f)?;
+        if self.anything_claimed() {
+            writeln!(f, "What it is: {}.", self.what_it_is())?;
+        }
+        writeln!(f, "{}", self.summary())
+    }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Numbers, as the book prints them
+// -------------------------------------------------------------------------------------------------
+
+/// A number in scientific notation with this many digits after the point: 8.0 × 10⁻¹⁵; 0 is 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Scientific(pub f64, pub usize);
+
+impl fmt::Display for Scientific {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value, digits) = *self;
+        if value == 0.0 || !value.is_finite() {
+            return write!(f, "{value:.0}");
+        }
+        let text = format!("{value:.digits$e}").replace('-', "−");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        if exponent == "0" {
+            return f.write_str(mantissa);
+        }
+        let raised = |c: char| match c {
+            '−' => '⁻',
+            digit => DIGITS[digit.to_digit(10).unwrap_or(0) as usize],
+        };
+        write!(f, "{mantissa} × 10{}", exponent.chars().map(raised).collect::<String>())
+    }
+}
+
+const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+/// A whole number as an exponent: ⁴.
+pub fn raised(power: usize) -> String {
+    power.to_string().chars().map(|c| DIGITS[c.to_digit(10).unwrap_or(0) as usize]).collect()
+}
+
+/// With one digit after the point.
+pub fn scientific(value: f64) -> Scientific {
+    Scientific(value, 1)
+}
+
+/// A bound, of which only the size matters.
+pub fn about(value: f64) -> Scientific {
+    Scientific(value, 0)
+}
+
+/// Slopes, with two digits: "2.11, 2.00, −0.03".
+pub fn slopes(slopes: &[f64]) -> String {
+    // Without the sign of a slope that rounds to zero.
+    let text = slopes.iter().map(|slope| format!("{slope:.2}").replace('-', "−"));
+    let text = text.map(|text| if text == "−0.00" { "0.00".to_string() } else { text });
+    text.collect::<Vec<_>>().join(", ")
+}

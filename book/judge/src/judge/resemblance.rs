@@ -1,0 +1,272 @@
+//! What a stranger nearly is: a known method, right or wrong, but for one thing.
+
+use core::fmt;
+
+use super::claims::Claims;
+use super::expansion::{self, Deviation};
+use super::identity::{Asked, Identity, Seen, own_states};
+use super::probe::{G_OVER_L, Probe, distance, frequency, states_after, step};
+use super::report::{Report, Scientific, raised};
+use super::verdict::Measured;
+use crate::stranger::Request;
+use pendula::systems::Phase;
+use pendula::{AnyMethod, METHODS};
+
+/// The one thing in which a run differs from that of a known method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum But {
+    /// Nothing.
+    Nothing,
+    /// It is seen from elsewhere, at the start as at the end: half a kick behind, and the like.
+    Seen(Seen),
+    /// Its states are reported from elsewhere, and it starts where it is told.
+    Reported(Seen),
+    /// It starts elsewhere than it is told, and reports the states that it has.
+    Begun(Seen),
+    /// Each step lacks its first half kick.
+    WithoutFirstHalfKick,
+    /// Each step lacks its last half kick.
+    WithoutLastHalfKick,
+    /// Its step or its g/L is another.
+    Scaled(Scaled),
+}
+
+/// That a stranger is the method of this title, but for one thing.
+fn in_words(title: &str, but: But) -> String {
+    let it = format!("It is {title}");
+    match but {
+        But::Nothing => it,
+        But::Seen(seen) if seen.drifts == 0.0 => format!(
+            "{it} seen {seen}: the velocities that it starts from, and those that it reports, lie \
+             beside the angles' times"
+        ),
+        But::Seen(seen) => {
+            format!("{it} seen {seen}: its angles lie beside the velocities' times")
+        }
+        But::Reported(seen) => {
+            let half = if seen.kicks.abs() == 0.5 { ": velocities at half steps" } else { "" };
+            format!("{it}, but the states that it reports are {seen} of its own{half}")
+        }
+        But::Begun(seen) => format!("{it}, but begun {seen} of the state that it is given"),
+        But::WithoutFirstHalfKick => format!("{it}, but each step lacks its first half kick"),
+        But::WithoutLastHalfKick => format!("{it}, but each step lacks its last half kick"),
+        But::Scaled(scaled) => format!("{it}, but {scaled}"),
+    }
+}
+
+/// Every one thing, with the scale that the first terms of the step show.
+fn every(scaled: Option<&Scaled>) -> Vec<But> {
+    let mut all: Vec<But> = Seen::elsewhere().map(But::Seen).collect();
+    all.extend(Seen::elsewhere().map(But::Reported));
+    all.extend(Seen::elsewhere().map(But::Begun));
+    all.extend([But::WithoutFirstHalfKick, But::WithoutLastHalfKick]);
+    all.extend(scaled.map(|scaled| But::Scaled(*scaled)));
+    all
+}
+
+/// The states of a known method after 1, 2, … `count` steps, but for one thing; none if it has
+/// none.
+fn states(
+    method: &dyn AnyMethod,
+    but: But,
+    start: Phase,
+    h: f64,
+    count: u64,
+) -> Option<Vec<Phase>> {
+    let run = |g_over_l, start, h, count| states_after(method, g_over_l, start, h, count);
+    match but {
+        But::Nothing => run(G_OVER_L, start, h, count),
+        But::Seen(seen) => own_states(method, seen, start, h, count),
+        But::Reported(seen) => {
+            let states = run(G_OVER_L, start, h, count)?.into_iter();
+            Some(states.map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
+        }
+        But::Begun(seen) => run(G_OVER_L, seen.from_its_own(G_OVER_L, start, h), h, count),
+        But::WithoutFirstHalfKick | But::WithoutLastHalfKick => {
+            let first = but == But::WithoutFirstHalfKick;
+            let back = Seen { kicks: -0.5, drifts: 0.0 };
+            let kicked_back = |z: Phase| back.from_its_own(G_OVER_L, z, h);
+            let mut z = start;
+            (0..count)
+                .map(|_| {
+                    let before = if first { kicked_back(z) } else { z };
+                    let after = *run(G_OVER_L, before, h, 1)?.last()?;
+                    z = if first { after } else { kicked_back(after) };
+                    Some(z)
+                })
+                .collect()
+        }
+        But::Scaled(Scaled::Step(times)) => run(G_OVER_L, start, times * h, count),
+        But::Scaled(Scaled::Gravity(times)) => run(times * G_OVER_L, start, h, count),
+        But::Scaled(Scaled::Fixed(g_over_l)) => run(g_over_l, start, h, count),
+    }
+}
+
+/// Whether the stranger's states are those.
+fn is(asked: &Asked, method: &dyn AnyMethod, but: But) -> bool {
+    // The scale is known from the first terms of a step, to less than a state is.
+    let bound = if matches!(but, But::Scaled(_)) { 1e-9 } else { 0.0 };
+    let own = |start, h, count| states(method, but, start, h, count);
+    asked.apart(bound, distance, own).is_some()
+}
+
+/// Whether the entry of a method has what is claimed.
+fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
+    let entry = method.info();
+    claims.order.is_none_or(|order| order == entry.order)
+        && (!claims.symplectic || entry.symplectic)
+        && (!claims.symmetric || entry.symmetric)
+        && (claims.name.is_none() || claims.is_named(entry.name))
+}
+
+/// What the stranger is but for one thing, in words: first a method of the library that has what is
+/// claimed, then any other.
+pub fn find(
+    probe: &Probe<'_>,
+    claims: &Claims,
+    report: &Report,
+    scaled: Option<&Scaled>,
+) -> Measured<Option<String>> {
+    let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
+    let is_itself = |identity: &Identity| {
+        METHODS.iter().any(|method| method.info().name == identity.method && fits(*method, claims))
+    };
+    if plain.is_some_and(is_itself) {
+        return Ok(None);
+    }
+    let asked = Asked::of(probe)?;
+    let every = every(scaled);
+    let (fitting, others): (Vec<_>, Vec<_>) =
+        METHODS.iter().copied().partition(|method| fits(*method, claims));
+    let resembling = |methods: &[&dyn AnyMethod]| {
+        let pairs = every.iter().flat_map(|but| methods.iter().map(move |method| (*but, *method)));
+        let mut those = pairs.filter(|(but, method)| is(&asked, *method, *but));
+        those.next().map(|(but, method)| in_words(method.info().title, but))
+    };
+    // What is on the list has its name already; there only the method that is claimed helps.
+    let anything_fits = claims.order.is_some() || claims.name.is_some();
+    let fitting = if anything_fits { fitting } else { Vec::new() };
+    if report.identity.is_some() {
+        return Ok(resembling(&fitting));
+    }
+    Ok(resembling(&fitting).or_else(|| resembling(&others)))
+}
+
+/// The method of the library from which a short step parts least, and by how much, in words;
+/// `None` if no method is near.
+pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
+    const STARTS: [Phase; 3] = [
+        Phase { theta: 1.0, omega: 1.5 },
+        Phase { theta: -2.2, omega: 0.8 },
+        Phase { theta: 0.4, omega: -4.0 },
+    ];
+    // So long that rounding is small beside what most methods part by, so short that the leading
+    // power shows.
+    const X: [f64; 2] = [0.1, 0.05];
+    let mut ends = [[Phase::default(); 3]; 2];
+    for (row, x) in ends.iter_mut().zip(X) {
+        for (end, start) in row.iter_mut().zip(STARTS) {
+            *end = probe.end(Request::run(start, step(x), 1))?;
+        }
+    }
+    let apart = |method: &dyn AnyMethod, row: usize| -> Option<f64> {
+        let mut largest = 0.0;
+        for (end, start) in ends[row].iter().zip(STARTS) {
+            let own = states(method, But::Nothing, start, step(X[row]), 1)?;
+            largest = libm::fmaximum(largest, distance(*end, own[0]));
+        }
+        Some(largest)
+    };
+    let all = METHODS.iter().filter_map(|method| {
+        let [long, short] = [apart(*method, 0)?, apart(*method, 1)?];
+        (short > 30.0 * probe.rounding).then_some((method.info().title, long, short))
+    });
+    let Some((title, long, short)) = all.min_by(|a, b| a.2.total_cmp(&b.2)) else {
+        return Ok(None);
+    };
+    let power = libm::round(libm::log2(long / short));
+    if !(1.0..=9.0).contains(&power) || short > 0.01 {
+        return Ok(None);
+    }
+    let factor = Scientific(short / libm::pow(X[1], power), 1);
+    Ok(Some(format!(
+        "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x \
+         = h √(g/L) = h · {:.1}/s",
+        raised(power as usize),
+        frequency()
+    )))
+}
+
+// -------------------------------------------------------------------------------------------------
+// Another step or another equation
+// -------------------------------------------------------------------------------------------------
+
+/// A step that goes another distance, or solves another equation, than is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scaled {
+    /// The step is this many times as long.
+    Step(f64),
+    /// g/L is this many times as large.
+    Gravity(f64),
+    /// g/L is this (1/s²), whatever is asked for.
+    Fixed(f64),
+}
+
+impl Scaled {
+    /// By the factors of h: those of ω in θ and of α in ω.
+    pub fn of(probe: &Probe<'_>, found: &Deviation) -> Measured<Option<Self>> {
+        let [drift, kick] = [found.excess[0], found.excess[1]];
+        let small = |x: f64, beside: f64| x.abs() <= 1e-3 * beside.abs() + found.known_to;
+        if small(drift - kick, drift) {
+            return Ok(Some(Self::Step(1.0 + drift)));
+        }
+        if !small(drift, kick) {
+            return Ok(None);
+        }
+        // Asked for twice as much, is it twice as much?
+        let solved = G_OVER_L * (1.0 + kick);
+        let twice = expansion::deviation_with(probe, 2.0 * G_OVER_L, expansion::STARTS)?;
+        let other = twice.filter(|twice| twice.power == 1).map_or(0.0, |twice| twice.excess[1]);
+        let other = 2.0 * G_OVER_L * (1.0 + other);
+        let fixed = (other - solved).abs() <= 1e-3 * solved.abs();
+        Ok(Some(if fixed { Self::Fixed(solved) } else { Self::Gravity(1.0 + kick) }))
+    }
+}
+
+impl fmt::Display for Scaled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Step(times) if (times + 1.0).abs() < 1e-6 => f.write_str("run backwards"),
+            Self::Step(times) => {
+                write!(f, "its step is {} h{}", times_in_words(times), right_to(times))
+            }
+            Self::Gravity(times) => {
+                let (times, right) = (times_in_words(times), right_to(times));
+                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")
+            }
+            Self::Fixed(g_over_l) => {
+                let text = format!("{g_over_l:.6}");
+                let text = text.trim_end_matches('0').trim_end_matches('.');
+                write!(f, "its g/L is {text} 1/s², whatever is asked for")
+            }
+        }
+    }
+}
+
+/// A factor near 1 with the digits that it needs: 1.00001.
+fn times_in_words(times: f64) -> String {
+    let digits = libm::ceil(2.0 - libm::log10((times - 1.0).abs()));
+    let digits = digits.clamp(2.0, 12.0) as usize;
+    let text = format!("{times:.digits$}").replace('-', "−");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// To how many digits a factor is 1, where that looks like a coefficient with too few of them.
+fn right_to(times: f64) -> String {
+    let off = (times - 1.0).abs();
+    if off >= 1e-2 {
+        return String::new();
+    }
+    let digits = libm::round(-libm::log10(off));
+    format!(", right to {digits} digits: a coefficient, or g or L, has too few")
+}

@@ -1,0 +1,146 @@
+//! The symmetries of the pendulum, which everybody claims: the mirror, the unit of time, a full
+//! turn.
+
+use core::f64::consts::TAU;
+
+use super::probe::{G_OVER_L, Probe, distance, step};
+use super::report::{Finding, about, scientific};
+use super::verdict::{Measured, Trouble, Verdict, told};
+use crate::stranger::Request;
+use pendula::systems::Phase;
+
+/// To and fro, and over the top.
+const STARTS: [Phase; 2] = [Phase { theta: 1.2, omega: 0.7 }, Phase { theta: -0.4, omega: 8.0 }];
+const X: f64 = 0.1;
+const STEPS: u64 = 200;
+
+/// By how much two runs differ that should not (rad), and what rounding may make of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Apart {
+    /// The largest difference (rad).
+    pub largest: f64,
+    /// What rounding may make of it (rad).
+    pub bound: f64,
+}
+
+impl Apart {
+    fn worse(self, other: Self) -> Self {
+        let weight = |x: &Self| x.largest / x.bound;
+        // Written so that a NaN is kept.
+        if weight(&other) <= weight(&self) { self } else { other }
+    }
+
+    /// Whether it is more than rounding and may be the doing of a tolerance, as that of an
+    /// iteration.
+    pub const fn is_a_tolerance(&self) -> bool {
+        self.largest > self.bound && self.largest < 1e-7
+    }
+
+    /// What is to be said of it, where a tolerance inside the stranger, which is no mistake, would
+    /// spoil the property (`spoilt`) or not.
+    pub fn judge(&self, spoilt: bool) -> Finding {
+        let Self { largest, bound } = *self;
+        let mut verdict = Verdict::of(largest, bound, 10.0 * bound);
+        let mut why = format!(
+            "apart by {} rad, where rounding makes {} at most",
+            scientific(largest),
+            about(bound)
+        );
+        if verdict == Verdict::Fails && spoilt && self.is_a_tolerance() {
+            verdict = Verdict::Unclear;
+            why.push_str("; a tolerance inside it may do so");
+        }
+        let measured = format!("apart by {} rad", scientific(largest));
+        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
+    }
+}
+
+fn compared(a: &[Phase], b: &[Phase], bound: f64) -> Apart {
+    let apart = a.iter().zip(b).map(|(a, b)| distance(*a, *b));
+    Apart { largest: apart.fold(0.0, libm::fmaximum), bound }
+}
+
+/// Nothing can be said where a small difference of the start grows a thousandfold in the runs
+/// below: a method of several steps may be unstable at a step that others take with ease, and two
+/// of its runs that round otherwise then part.
+fn stable(probe: &Probe<'_>) -> Measured<()> {
+    let apart = 1e3 * probe.rounding;
+    for start in STARTS {
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
+        let moved = Phase { theta: start.theta + apart, ..start };
+        let there = probe.states(Request::run(moved, step(X), STEPS))?;
+        let grown = compared(&here, &there, 0.0).largest / apart;
+        if grown.is_nan() || grown > 1e3 {
+            let why = format!("at x = ω₀h = {X} a small difference grows {grown:.0e}-fold");
+            return Err(Trouble::NoAnswer(why));
+        }
+    }
+    Ok(())
+}
+
+/// θ, ω → −θ, −ω; and a pendulum at rest at the bottom stays there. A sine is odd in every last
+/// digit, and so is every sum: only what is not odd can make a difference, but for compilers that
+/// treat the two signs differently, which is a rounding.
+pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
+    let mut worst = Apart { largest: 0.0, bound: probe.bound(STEPS, X) };
+    for start in STARTS {
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
+        let there = probe.states(Request::run(start * -1.0, step(X), STEPS))?;
+        let back: Vec<Phase> = there.into_iter().map(|z| z * -1.0).collect();
+        worst = worst.worse(compared(&here, &back, probe.bound(STEPS, X)));
+    }
+    let rest = match probe.end(Request::run(Phase::default(), step(X), STEPS)) {
+        // A library that measures errors against the state may refuse to stand still.
+        Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => return Ok(worst),
+        rest => rest?,
+    };
+    // There is nothing to be rounded at zero: this is room for a solver that iterates.
+    let bound = 1e-6 * probe.rounding;
+    Ok(worst.worse(Apart { largest: distance(rest, Phase::default()), bound }))
+}
+
+/// g/L and h scaled together: the same angles.
+pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
+    stable(probe)?;
+    let mut worst = Apart { largest: 0.0, bound: 20.0 * probe.rounding_bound(STEPS, X) };
+    for start in STARTS {
+        let slow = probe.states(Request::run(start, step(X), STEPS))?;
+        for unit in [4.0, 0.25, 3.0] {
+            let hurried = Phase { omega: start.omega * unit, ..start };
+            let run = Request::run(hurried, step(X) / unit, STEPS).with(G_OVER_L * unit * unit);
+            let fast = probe.states(run)?;
+            let fast: Vec<Phase> =
+                fast.into_iter().map(|z| Phase { omega: z.omega / unit, ..z }).collect();
+            // A rotation reaches 40 rad, of which each step rounds the last digit.
+            worst = worst.worse(compared(&slow, &fast, 20.0 * probe.rounding_bound(STEPS, X)));
+        }
+    }
+    Ok(worst)
+}
+
+/// What a tolerance inside the stranger makes of its states (rad): by how much they differ in other
+/// units of time, where that is too little to be a mistake. The other measurements allow for it.
+pub fn tolerance(probe: &Probe<'_>) -> Measured<f64> {
+    let units = told(units(probe))?.filter(Apart::is_a_tolerance);
+    Ok(units.map_or(0.0, |units| units.largest))
+}
+
+/// θ → θ + 2π: the same motion, some turns higher.
+pub fn turn(probe: &Probe<'_>) -> Measured<Apart> {
+    stable(probe)?;
+    let mut worst = Apart { largest: 0.0, bound: probe.rounding_bound(STEPS, X) };
+    for start in STARTS {
+        let here = probe.states(Request::run(start, step(X), STEPS))?;
+        for turns in [1.0, -3.0, 100.0] {
+            let shift = TAU * turns;
+            let raised = Phase { theta: start.theta + shift, ..start };
+            let there = probe.states(Request::run(raised, step(X), STEPS))?;
+            let there: Vec<Phase> =
+                there.into_iter().map(|z| Phase { theta: z.theta - shift, ..z }).collect();
+            // Each step rounds the last digit of a larger angle.
+            let bound = (20.0 + shift.abs()) * probe.rounding_bound(STEPS, X);
+            worst = worst.worse(compared(&here, &there, bound));
+        }
+    }
+    Ok(worst)
+}

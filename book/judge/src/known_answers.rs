@@ -1,0 +1,188 @@
+//! What named integrators, and known mistakes in them, lead to in one, two or eight steps.
+//!
+//! The numbers are those of `snapshots/known-answers.json`, which a program that knows nothing of
+//! this library has computed to 25 digits; `book/known-answers/README.md` has the conventions.
+//!
+//! ```
+//! use pendula::verify::known_answers;
+//!
+//! let rk4 = known_answers::method("RK4").unwrap();
+//! let first = &rk4.answers[0];
+//! assert_eq!((rk4.name.as_str(), first.steps, first.scene.step), ("rk4", 1, 0.125));
+//! ```
+
+use std::sync::LazyLock;
+
+use serde_json::Value;
+
+use super::stranger::Drive;
+use pendula::systems::Phase;
+
+/// A right method of the file, or a mistake in one.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Known {
+    /// Its name.
+    pub name: String,
+    /// Its other names.
+    pub also: Vec<String>,
+    /// What is wrong, in a mistake.
+    pub mistake: Option<Mistake>,
+    /// What it leads to.
+    pub answers: Vec<Answer>,
+}
+
+/// What is wrong with a wrong method.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Mistake {
+    /// The name of the method in which it is made.
+    pub of: String,
+    /// What is done, in a few words.
+    pub what: String,
+    /// What comes of it.
+    pub effect: String,
+    /// Where it was seen.
+    pub seen: String,
+}
+
+/// The state after some steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Answer {
+    /// From where and with what step.
+    pub scene: &'static Scene,
+    /// The number of steps.
+    pub steps: u64,
+    /// The state then (rad, rad/s).
+    pub state: Phase,
+    /// How far off a right program may be, in ε of its type times the larger of |θ| and |ω|.
+    pub tolerance: f64,
+}
+
+impl Answer {
+    /// How far off `state` is, in tolerances, for a program whose ε is `epsilon`: at most 1 for a
+    /// right one, NaN for a NaN.
+    pub fn off(&self, state: Phase, epsilon: f64) -> f64 {
+        let Phase { theta, omega } = self.state;
+        let size = theta.abs().max(omega.abs());
+        let off = libm::fmaximum((state.theta - theta).abs(), (state.omega - omega).abs());
+        off / (self.tolerance * epsilon * size)
+    }
+}
+
+/// A pendulum, θ̈ = −(g/L) sin θ + A cos Ωt, its start, and a step.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Scene {
+    /// Its name in the file.
+    pub name: String,
+    /// g/L (1/s²).
+    pub g_over_l: f64,
+    /// The drive, if there is one.
+    pub drive: Option<Drive>,
+    /// The time at the start (s).
+    pub time: f64,
+    /// The state at the start (rad, rad/s).
+    pub start: Phase,
+    /// The step (s).
+    pub step: f64,
+}
+
+/// The scenes of the file.
+#[doc(hidden)]
+pub fn scenes() -> &'static [Scene] {
+    &SCENES
+}
+
+/// The right methods of the file.
+#[doc(hidden)]
+pub fn methods() -> &'static [Known] {
+    &METHODS
+}
+
+/// The mistakes of the file.
+#[doc(hidden)]
+pub fn mistakes() -> &'static [Known] {
+    &MISTAKES
+}
+
+/// The right method of this name, among its other names too, in capitals or not.
+pub fn method(name: &str) -> Option<&'static Known> {
+    let is = |other: &str| other.eq_ignore_ascii_case(name);
+    let by_name = methods().iter().find(|known| is(&known.name));
+    by_name.or_else(|| methods().iter().find(|known| known.also.iter().any(|other| is(other))))
+}
+
+static FILE: LazyLock<Value> = LazyLock::new(|| {
+    let text = include_str!("../../../snapshots/known-answers.json");
+    serde_json::from_str(text).expect("the file is JSON")
+});
+static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
+    let scenes = FILE["scenes"].as_object().expect("the scenes by their names");
+    scenes.iter().map(|(name, scene)| read_scene(name, scene)).collect()
+});
+static METHODS: LazyLock<Vec<Known>> = LazyLock::new(|| list("methods"));
+static MISTAKES: LazyLock<Vec<Known>> = LazyLock::new(|| list("mistakes"));
+
+// The file is part of the library, and its form is tested: what is missing from it is a mistake of
+// ours.
+
+fn list(name: &str) -> Vec<Known> {
+    entries(&FILE[name]).iter().map(read_known).collect()
+}
+
+fn entries(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().expect("a text").to_string()
+}
+
+/// A decimal in a text, as binary has no tenths.
+fn number(value: &Value) -> f64 {
+    value.as_str().and_then(|text| text.parse().ok()).expect("a number in a text")
+}
+
+fn state(value: &Value) -> Phase {
+    Phase { theta: number(&value["theta"]), omega: number(&value["omega"]) }
+}
+
+fn read_scene(name: &str, scene: &Value) -> Scene {
+    let amplitude = number(&scene["amplitude"]);
+    let drive = Drive { amplitude, frequency: number(&scene["frequency"]) };
+    Scene {
+        name: name.to_string(),
+        g_over_l: number(&scene["g_over_l"]),
+        drive: (amplitude != 0.0).then_some(drive),
+        time: number(&scene["t"]),
+        start: state(scene),
+        step: number(&scene["h"]),
+    }
+}
+
+fn read_known(known: &Value) -> Known {
+    let mistake = known.get("of").map(|of| Mistake {
+        of: text(of),
+        what: text(&known["what"]),
+        effect: text(&known["effect"]),
+        seen: text(&known["seen"]),
+    });
+    Known {
+        name: text(&known["name"]),
+        also: entries(&known["also"]).iter().map(text).collect(),
+        mistake,
+        answers: entries(&known["answers"]).iter().map(read_answer).collect(),
+    }
+}
+
+fn read_answer(answer: &Value) -> Answer {
+    let name = answer["scene"].as_str().expect("the name of a scene");
+    Answer {
+        scene: SCENES.iter().find(|scene| scene.name == name).expect("a scene of the file"),
+        steps: answer["steps"].as_u64().expect("a number of steps"),
+        state: state(answer),
+        tolerance: number(&answer["tolerance"]),
+    }
+}
