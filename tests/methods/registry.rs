@@ -1,10 +1,15 @@
 //! The list of methods: complete, unambiguous, and consistent with the files.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use pendula::registry::InSteps;
 use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, StormerVerlet, method_named};
+
+/// The folder of the methods.
+fn source() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src/methods")
+}
 
 /// Catches: a method whose file exists but which is not on the list, so that no test, table or page
 /// runs it.
@@ -12,7 +17,7 @@ use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, StormerVerlet, method_n
 fn every_file_of_methods_is_on_the_list() {
     /// The other files in the folders of the methods.
     const OTHERS: [&str; 5] = ["mod", "table", "tableau", "embedded", "iteration"];
-    let methods = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods");
+    let methods = source();
     let inside =
         |folder: &Path| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let families = inside(&methods).filter(|path| path.is_dir());
@@ -69,7 +74,7 @@ fn table() -> String {
 /// Catches: documentation that contradicts a method's entry, or leaves a method out.
 #[test]
 fn the_documentation_lists_what_the_entries_say() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/methods/table.md");
+    let path = source().join("table.md");
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         std::fs::write(&path, table()).unwrap();
     }

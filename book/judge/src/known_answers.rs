@@ -4,7 +4,7 @@
 //! this library has computed to 25 digits; `book/known-answers/README.md` has the conventions.
 //!
 //! ```
-//! use pendula::verify::known_answers;
+//! use pendula_judge::known_answers;
 //!
 //! let rk4 = known_answers::method("RK4").unwrap();
 //! let first = &rk4.answers[0];

@@ -19,7 +19,7 @@ pub struct Drive {
 /// A run that a stranger is asked for: θ̈ + (g/L) sin θ = 0, or with a drive, from t = 0.
 ///
 /// ```
-/// use pendula::verify::{Request, Stranger};
+/// use pendula_judge::{Request, Stranger};
 /// use pendula::{Phase, StormerVerlet};
 ///
 /// // Ten seconds of the pendulum from 1 rad, a state each second.
@@ -282,7 +282,7 @@ fn chosen_states<S: System<State = Phase> + 'static>(
 /// than tells so is looked at.
 ///
 /// ```
-/// use pendula::verify::{Claims, FromFn, judge};
+/// use pendula_judge::{Claims, FromFn, judge};
 ///
 /// let leapfrog = FromFn(|g_over_l: f64, mut theta: f64, mut omega: f64, h: f64, n: u64| {
 ///     (0..n).map(move |_| {

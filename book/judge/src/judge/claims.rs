@@ -10,7 +10,7 @@ use crate::known_answers::{self, Known};
 /// here.
 ///
 /// ```
-/// use pendula::verify::Claims;
+/// use pendula_judge::Claims;
 ///
 /// let claims: Claims = "order=2 symplectic symmetric evaluations=1".parse()?;
 /// assert_eq!(claims, Claims::order(2).symplectic().symmetric().evaluations(1));

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use pendula::methods::StormerVerlet;
-use pendula_judge::{Drive, Stranger};
+use pendula_judge::{Chosen, Drive, Stranger};
 use roxmltree::Document;
 use serde_json::Value;
 
@@ -25,10 +24,11 @@ fn what_is_served_is_what_the_library_computes() {
     let program = started([PENDULA, "serve", "stormer-verlet"], 10.0).unwrap();
     assert_eq!(program.name(), "pendula stormer-verlet");
     let drive = Drive { amplitude: 0.3, frequency: 2.0 };
+    let chosen = Chosen::named("stormer-verlet").unwrap();
     let there = request(0.01, 1000);
     for request in [there, request(-1e-7, 30), there, request(0.01, 100), there] {
         for request in [request, request.driven(drive)] {
-            assert_eq!(program.answer(&request), StormerVerlet.answer(&request), "{request}");
+            assert_eq!(program.answer(&request), chosen.answer(&request), "{request}");
         }
     }
 }
