@@ -20,15 +20,14 @@ use crate::page_files;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use pendula_output::files;
-use pendula_output::files::whole_folder::WholeFolder;
 
 /// Builds the book in the folder `root`, into the folder `destination` or the one that its
-/// `book.toml` names, and returns the path of its first page. An older book is replaced when the
-/// new one is whole.
+/// `book.toml` names, and returns the path of its first page. mdBook removes what is in that folder
+/// once all chapters are set.
 ///
 /// # Errors
-/// Anything that stops the build, and anything mdBook only warns of; then the older book is as it
-/// was. A folder with files in it that are not of the book is refused.
+/// Anything that stops the build, and anything mdBook only warns of. What is wrong with a chapter
+/// is found before anything is written.
 pub fn book(
     root: &Path,
     destination: Option<&Path>,
@@ -37,33 +36,32 @@ pub fn book(
 ) -> Result<PathBuf> {
     let (built, warnings) = collect(|| driven(root, destination, ledger, &progress));
     progress.finish();
-    let (folder, pages) = built?;
+    let pages = built?;
     if let Some((first, others)) = warnings.split_first() {
         match others.len() {
             0 => bail!("mdBook warns: {first}"),
             n => bail!("mdBook warns: {first} (and {n} more)"),
         }
     }
-    let index = folder.path().join(&pages).join("index.html");
+    let index = pages.join("index.html");
     let is_there = files::exists(&index).with_context(|| format!("{}", index.display()))?;
     ensure!(is_there, "mdBook made no {}", index.display());
-    Ok(folder.replace()?.join(pages).join("index.html"))
+    files::canonicalize(&index).with_context(|| format!("{}", index.display()))
 }
 
-/// Has mdBook write the pages; returns their folder, and where in it the first page is.
+/// Has mdBook write the pages; returns their folder.
 fn driven(
     root: &Path,
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: &Progress,
-) -> Result<(WholeFolder, PathBuf)> {
+) -> Result<PathBuf> {
     progress.stage("reading the chapters", 1);
     let mut book = MDBook::load(root)
         .with_context(|| format!("the book in {} cannot be read", root.display()))?;
-    let destination =
-        destination.map_or_else(|| root.join(&book.config.build.build_dir), Path::to_path_buf);
-    let folder = WholeFolder::beside(&destination)?;
-    book.config.build.build_dir = folder.path();
+    if let Some(destination) = destination {
+        book.config.build.build_dir = destination.to_path_buf();
+    }
     // The same name as in book.toml, so that it takes the command's place.
     book.with_preprocessor(Pendula::new(ledger, progress.clone()));
     book.build()?;
@@ -73,11 +71,10 @@ fn driven(
     let site = html.site_url.unwrap_or_default();
     each_page(&pages, |page| page_files::finished(page, &site))?;
     known_answers(root, &pages)?;
-    let pages = pages.strip_prefix(folder.path()).map(Path::to_path_buf).unwrap_or_default();
-    Ok((folder, pages))
+    Ok(pages)
 }
 
-/// Changes every page in the folder, which nobody reads yet.
+/// Changes every page in the folder.
 fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<()> {
     for path in files::with_extension(folder, "html")? {
         let file = folder.join(path);

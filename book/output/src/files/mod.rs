@@ -1,17 +1,15 @@
-//! Files: a file or a folder that is written appears when it is whole.
+//! Files: a file that is written appears when it is whole.
 //!
-//! A [`WholeFile`](whole_file::WholeFile) and a [`WholeFolder`](whole_folder::WholeFolder) are
-//! written beside their place, under a temporary name, and renamed: whatever fails, and whenever
-//! the program ends, the old one is there as it was, or the new one whole. Nothing else in the
-//! program or the builder writes where a user looks. What a process leaves that is killed, the next
-//! one removes; one that is interrupted removes [its own](temporary).
+//! A [`WholeFile`](whole_file::WholeFile) is written beside its place, under a temporary name, and
+//! renamed: whatever fails, and whenever the program ends, the old one is there as it was, or the
+//! new one whole. Nothing else in the program writes where a user looks, but for mdBook. A process
+//! that is interrupted removes [what it leaves](temporary); one that is killed cannot.
 
 pub mod temporary;
 pub mod together;
 pub mod whole_file;
-pub mod whole_folder;
 
-use std::fs::{self, File, Metadata, TryLockError};
+use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -151,71 +149,4 @@ fn prefix(target: &Path) -> String {
         name.pop();
     }
     format!(".pendula-{name}-")
-}
-
-/// The file in a temporary folder that is locked as long as somebody writes it.
-const LOCK: &str = "lock";
-
-/// Removes what a process that was killed has left of a new `target`. Whoever writes one has locked
-/// it, so that what can be locked is nobody's.
-///
-/// # Errors
-/// If one is being written, by this process or another; if something cannot be removed.
-fn clear(target: &Path) -> io::Result<()> {
-    let prefix = prefix(target);
-    // A folder may be written that may not be listed.
-    let Ok(found) = list(folder_of(target)) else { return Ok(()) };
-    for path in found {
-        let name = path.file_name().unwrap_or_default().as_encoded_bytes();
-        if !name.starts_with(prefix.as_bytes()) || name.len() != prefix.len() + 6 {
-            continue;
-        }
-        let is_folder = is_folder(&path)?;
-        match File::open(if is_folder { path.join(LOCK) } else { path.clone() }) {
-            Ok(file) => match file.try_lock() {
-                Ok(()) => {}
-                Err(TryLockError::WouldBlock) => return Err(busy()),
-                // Some file systems have no locks: whose it is cannot be said.
-                Err(TryLockError::Error(_)) => continue,
-            },
-            // Killed before it was locked.
-            Err(error) if is_folder && error.kind() == io::ErrorKind::NotFound => {}
-            // It has just been renamed, or is somebody else's.
-            Err(_) => continue,
-        }
-        if is_folder {
-            restore(&path, target)?;
-            match fs::remove_dir_all(&path) {
-                // Its writer has.
-                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-                removed => removed?,
-            }
-        } else {
-            remove(&path)?;
-        }
-    }
-    Ok(())
-}
-
-/// The name of the old folder while the new one takes its place, in the temporary one.
-const OLD: &str = "old";
-
-/// Puts the old folder back if the process was killed when it had no name of its own.
-fn restore(temporary: &Path, target: &Path) -> io::Result<()> {
-    let old = temporary.join(OLD);
-    if exists(&old)? && !exists(target)? { fs::rename(old, target) } else { Ok(()) }
-}
-
-/// Locks what is being written at `path`, where the file system has locks.
-///
-/// # Errors
-/// If somebody who began at the same moment takes it for a leftover.
-fn lock(file: &File, path: &Path) -> io::Result<()> {
-    let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
-    if is_taken || !exists(path)? { Err(busy()) } else { Ok(()) }
-}
-
-fn busy() -> io::Error {
-    let why = "it is being written already, by this run or another";
-    io::Error::new(io::ErrorKind::ResourceBusy, why)
 }

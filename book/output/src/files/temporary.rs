@@ -1,4 +1,4 @@
-//! The temporary files and folders of this process: an interruption that ends it removes them.
+//! The temporary files of this process: an interruption that ends it removes them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,21 +17,20 @@ pub fn temporary() -> MutexGuard<'static, Temporary> {
 }
 
 impl Temporary {
-    /// Takes in a file or a folder that has just been made.
+    /// Takes in a file that has just been made.
     pub fn add(&mut self, path: &Path) {
         self.0.push(path.to_path_buf());
     }
 
-    /// Forgets a file or a folder that has its own name now, or is to stay.
+    /// Forgets a file that has its own name now.
     pub fn forget(&mut self, path: &Path) {
         self.0.retain(|known| known != path);
     }
 
-    /// Removes all that there is. Nobody is told what cannot be removed: the next writer tries
-    /// again.
+    /// Removes all that there is. Nobody is told what cannot be removed.
     pub fn remove(&mut self) {
         for path in self.0.drain(..) {
-            let _ = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+            let _ = fs::remove_file(path);
         }
     }
 }

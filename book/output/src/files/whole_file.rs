@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf, is_separator};
 use tempfile::NamedTempFile;
 
 use super::temporary::{Temporary, temporary};
-use super::{behind_links, clear, folder_of, lock, metadata, prefix};
+use super::{behind_links, folder_of, metadata, prefix};
 
 /// A file that is written under another name and takes the place of its target when it is whole.
 /// Dropped before, it is removed, and the target is as it was.
@@ -23,8 +23,8 @@ impl WholeFile {
     /// Beside `path`, or beside what `path` is a link to.
     ///
     /// # Errors
-    /// If there is something else than a file, a file that may not be written to or is being
-    /// written already, or a folder in which no file can be made.
+    /// If there is something else than a file, a file that may not be written to, or a folder in
+    /// which no file can be made.
     pub fn beside(path: &Path) -> io::Result<Self> {
         // A path forgets the separator at its end.
         if path.as_os_str().to_string_lossy().ends_with(is_separator) {
@@ -47,7 +47,6 @@ impl WholeFile {
             }
             File::options().write(true).open(&target)?;
         }
-        clear(&target)?;
         let prefix = prefix(&target);
         let mut builder = tempfile::Builder::new();
         builder.prefix(&prefix);
@@ -68,18 +67,12 @@ impl WholeFile {
         })?;
         known.add(file.path());
         drop(known);
-        lock(file.as_file(), file.path())?;
         Ok(Self { file, target, old })
     }
 
     /// The file that it will replace.
     pub fn target(&self) -> &Path {
         &self.target
-    }
-
-    /// What was written, from its beginning.
-    pub fn reopen(&self) -> io::Result<File> {
-        self.file.reopen()
     }
 
     /// Brings all that was written to the disk, so that only the new name is missing.
@@ -109,22 +102,8 @@ impl WholeFile {
     /// The same of a file that is [complete](Self::complete), for somebody who renames several
     /// before an interruption may end the process.
     pub(super) fn rename(self, known: &mut Temporary) -> io::Result<()> {
-        let target = self.target.clone();
-        self.persist(&target, known)
-    }
-
-    /// Puts it at `path` instead, as it is.
-    ///
-    /// # Errors
-    /// If that fails; nothing is then left.
-    pub fn leave(self, path: &Path) -> io::Result<()> {
-        self.file.as_file().sync_all()?;
-        self.persist(path, &mut temporary())
-    }
-
-    fn persist(self, path: &Path, known: &mut Temporary) -> io::Result<()> {
         let name = self.file.path().to_path_buf();
-        self.file.persist(path).map_err(|refused| refused.error)?;
+        self.file.persist(&self.target).map_err(|refused| refused.error)?;
         known.forget(&name);
         Ok(())
     }

@@ -121,6 +121,14 @@ impl<'a> Destination<'a> {
         }
     }
 
+    /// The file that appears when it is whole.
+    pub fn target(&self) -> Option<&Path> {
+        match self {
+            Self::Beside(out) => Some(out.get_ref().target()),
+            _ => None,
+        }
+    }
+
     /// Flushes the buffer and renames a temporary file to its target. If that fails, a file is as
     /// it was before.
     pub fn finish(mut self) -> Result<(), Failure> {

@@ -101,6 +101,12 @@ impl Drawing<'_> {
         let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
         let (title, lines) = (capital(title), lines.collect());
         let rows = Destination::open(output, rows)?;
+        if let (Some(rows), Some(plot)) = (rows.target(), out.target())
+            && rows == plot
+        {
+            let (plot, name) = (plot.display(), "--plot and --output");
+            return Err(Failure::refused(format!("{name}: both cannot be written to {plot}")));
+        }
         Ok((Some(Plot { out, across, title, panels, lines, first: None }), rows))
     }
 }
