@@ -135,6 +135,9 @@ impl<S: System<State: Send + Sync> + Sync> Ensemble<'_, S> {
     }
 }
 
+/// The pendulums of a block, with the step as the unit of time.
+type Starts = [(ScaledPendulum, ReducedPhase); LANES];
+
 /// Pendulums, in lanes.
 impl Ensemble<'_> {
     /// The same with these instructions: to show that the bits are the same.
@@ -218,7 +221,7 @@ impl Ensemble<'_> {
         method: &'m M,
         first: usize,
         count: usize,
-    ) -> Option<(&'m dyn TakesBlocks, [(ScaledPendulum, ReducedPhase); LANES])> {
+    ) -> Option<(&'m dyn TakesBlocks, Starts)> {
         let blocks = method.blocks()?;
         let scaled = |i: usize| {
             let (pendulum, start) = (self.system(i), self.starts[i]);

@@ -17,8 +17,8 @@ use crate::systems::{Counting, System};
 /// what the method carries from step to step, and counts the force evaluations.
 ///
 /// A method known by its type begins one with [`Run::start`], a method known at run time with
-/// [`AnyMethod::begin`](crate::AnyMethod::begin). Steps are taken in blocks, so that a step costs no
-/// more for that the method is not known when the program is compiled.
+/// [`AnyMethod::begin`](crate::AnyMethod::begin). Steps are taken in blocks, so that they cost
+/// hardly more where the method is chosen at run time.
 ///
 /// ```
 /// use core::num::NonZeroU64;

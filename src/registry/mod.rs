@@ -24,7 +24,7 @@
 //! let slower = Damped::method_named("rk4").expect("as above").end(&damped, start, &grid);
 //! assert!(slower.omega.abs() < free.omega.abs());
 //!
-//! let spring = LinearOscillator::new(9.81);
+//! let spring = LinearOscillator::new(Pendulum::PAPER);
 //! let swing = method_for("rk4").expect("a Runge–Kutta method").end(&spring, start, &grid);
 //! assert!((swing.theta - 9.81_f64.sqrt().cos()).abs() < 1e-8);
 //! # Ok::<(), pendula::Error>(())

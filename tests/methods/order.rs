@@ -42,7 +42,7 @@ fn halving_the_step_shows_the_order(
     Ok(())
 }
 
-/// On the ladder of `book/judge/src/properties/order.rs` each slope between two steps whose errors are
+/// On the ladder of `properties/order.rs` each slope between two steps whose errors are
 /// above rounding is the order, within 0.05: the next term of the error is at most 1/30 of the
 /// first. That file derives it, and the wider windows of methods beyond order 4 whose next term is
 /// only one power of h smaller, and beyond order 8, where steps are long.

@@ -1,4 +1,4 @@
-//! What every method is asked, but its order: each property of `book/judge/src/properties/`; and laws
+//! What every method is asked, but its order: each property of the judge's `properties/`; and laws
 //! of single methods that hold the measurement of a property to theory.
 
 use pendula::methods::{ForwardEuler, Rk4};
@@ -22,7 +22,7 @@ use crate::common::method;
 
 /// The error at the time 4/ω₀ over (ω₀h)ᵖ, extrapolated to h = 0 from 100, 200 and 400 steps, is
 /// what theory's transport of the local error leads to, to 2e-4: the extrapolation leaves out x³/8
-/// with a coefficient of 11, 8e-5. `book/judge/src/properties/error_constant.rs` has the local errors,
+/// with a coefficient of 11, 8e-5. `properties/error_constant.rs` has the local errors,
 /// and the tolerances where they are measured or the constant comes from a file of 50 digits.
 ///
 /// Catches: a method of the right order with a wrong coefficient in its leading error, such as

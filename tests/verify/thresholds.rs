@@ -402,13 +402,11 @@ fn the_verdict_on_all_claims_is_the_worst(
     #[case] summary: &str,
 ) {
     let finding = |(name, verdict)| {
-        let mut finding = Finding::default();
-        (finding.name, finding.verdict) = (name, verdict);
-        (finding.claimed, finding.values) = (Some(String::new()), vec![1.0]);
-        finding
+        let (claimed, values) = (Some(String::new()), vec![1.0]);
+        Finding { name, verdict, claimed, values, ..Finding::default() }
     };
-    let mut report = Report::default();
-    report.findings = ["area", "clock", "order"].into_iter().zip(verdicts).map(finding).collect();
+    let findings = ["area", "clock", "order"].into_iter().zip(verdicts).map(finding).collect();
+    let mut report = Report { findings, ..Report::default() };
     report.conclude(false);
     assert_eq!((report.verdict, &report.summary()[..]), (worst, summary));
 }
