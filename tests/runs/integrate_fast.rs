@@ -5,7 +5,12 @@ use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest::rstest;
 
-use crate::common::{First, Random, bits, in_seconds, pendulum};
+use crate::common::{First, Random, bits, in_seconds};
+
+/// g/L = 2.5, L ≠ 1, m ≠ 1.
+fn pendulum() -> Pendulum {
+    Pendulum::new(5.0, 2.0, 3.0).unwrap()
+}
 
 /// The states of one run.
 fn states(run: impl FnOnce(&mut dyn Observer<Phase>) -> Phase) -> (Vec<(u64, f64, Phase)>, Phase) {
