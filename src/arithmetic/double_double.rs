@@ -168,7 +168,6 @@ fn nested(y: DoubleDouble, m: u32) -> DoubleDouble {
 
 /// x + y as a rounded sum and its error, exactly (Knuth).
 #[inline]
-#[doc(hidden)]
 pub fn two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     let from_y = sum - x;

@@ -11,12 +11,10 @@ use crate::systems::{Linearised, RateOf, State, System, Vector};
 /// A one-step method then maps a displacement by the derivative of its map of the state. So
 /// determinants and exponents are those of the numerical map itself, not only of the motion.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct Variational<'a, S, const N: usize>(pub &'a S);
 
 /// A state and N displacements from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(hidden)]
 pub struct Bundle<Z, V, const N: usize> {
     /// The state, or its rate of change.
     pub base: Z,

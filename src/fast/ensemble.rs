@@ -51,6 +51,34 @@ impl<'a, S: System> Ensemble<'a, S> {
 
     /// Each of `systems` from its own start, along `grid`.
     ///
+    /// ```
+    /// use pendula::{Ensemble, Grid, Phase, Rk4, System};
+    ///
+    /// /// Van der Pol's oscillator, ẍ = μ (1 − x²) ẋ − x.
+    /// struct VanDerPol(f64);
+    ///
+    /// impl System for VanDerPol {
+    ///     type State = Phase;
+    ///
+    ///     fn rate(&self, _t: f64, z: Phase) -> Phase {
+    ///         let push = self.0 * (1.0 - z.theta * z.theta) * z.omega;
+    ///         Phase { theta: z.omega, omega: push - z.theta }
+    ///     }
+    /// }
+    ///
+    /// let systems = [0.5, 1.0, 2.0].map(VanDerPol);
+    /// let starts = [Phase::at_rest(0.1); 3];
+    /// let ensemble = Ensemble::with_systems(&systems, &starts, Grid::with_duration(0.01, 50.0)?);
+    /// let mut widest = [0.0_f64; 3];
+    /// let mut watches = widest.each_mut().map(|widest| {
+    ///     move |_n: u64, _t: f64, z: Phase| *widest = widest.max(z.theta)
+    /// });
+    /// ensemble.watch_one_by_one(&Rk4, &mut watches);
+    /// // The limit cycle of each is 2 wide, to a hundredth.
+    /// assert!(widest.iter().all(|widest| (widest - 2.0).abs() < 0.03), "{widest:?}");
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    ///
     /// # Panics
     /// If there are not as many starts as systems.
     pub const fn with_systems(systems: &'a [S], starts: &'a [S::State], grid: Grid) -> Self {

@@ -131,7 +131,6 @@ fn largest_deviation(energies: &[f64], initial: f64, largest: f64) -> f64 {
 
 /// The error at the end of runs against the exact solution, and how much of it may be rounding.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct EndError {
     truth: Phase,
     frequency: f64,

@@ -27,7 +27,6 @@ pub fn slopes<'a>(
 /// times `error`, then `error` was small by chance, or rounding has been reached. A high order may
 /// reach rounding in a single halving. So if `finer` may be rounding, it need only be at most three
 /// times `error`.
-#[doc(hidden)]
 pub fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
     let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
     falls || finer <= rounding && 3.0 * error >= finer
@@ -36,7 +35,6 @@ pub fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool 
 /// Whether an `error`, of which as much as `rounding` may be rounding, is on the rounding floor:
 /// the error with half the step, `finer`, is not less than half of it, as it would be for any
 /// method above the floor.
-#[doc(hidden)]
 pub fn is_floor(error: f64, rounding: f64, finer: f64) -> bool {
     error <= rounding && 2.0 * finer >= error
 }

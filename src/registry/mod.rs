@@ -14,7 +14,7 @@
 //!
 //! ```
 //! use pendula::registry::{ByName, method_for};
-//! use pendula::{Damped, Grid, LinearOscillator, Pendulum, Phase, method_named};
+//! use pendula::{Damped, Grid, Pendulum, Phase, System, method_named};
 //!
 //! let (start, grid) = (Phase::at_rest(1.0), Grid::with_duration(0.01, 1.0)?);
 //! let rk4 = method_named("rk4").expect("a method of the library");
@@ -24,9 +24,23 @@
 //! let slower = Damped::method_named("rk4").expect("as above").end(&damped, start, &grid);
 //! assert!(slower.omega.abs() < free.omega.abs());
 //!
-//! let spring = LinearOscillator::new(Pendulum::PAPER);
-//! let swing = method_for("rk4").expect("a Runge–Kutta method").end(&spring, start, &grid);
-//! assert!((swing.theta - 9.81_f64.sqrt().cos()).abs() < 1e-8);
+//! /// ẍ = −9 x.
+//! #[derive(Clone)]
+//! struct Spring;
+//!
+//! impl System for Spring {
+//!     type State = Phase;
+//!
+//!     fn rate(&self, _t: f64, z: Phase) -> Phase {
+//!         Phase { theta: z.omega, omega: -9.0 * z.theta }
+//!     }
+//! }
+//!
+//! for name in ["rk4", "gauss-6"] {
+//!     let method = method_for(name).expect("a Runge–Kutta method");
+//!     let end = method.end(&Spring, start, &grid);
+//!     assert!((end.theta - 3.0_f64.cos()).abs() < 1e-7, "{}", method.info().title);
+//! }
 //! # Ok::<(), pendula::Error>(())
 //! ```
 

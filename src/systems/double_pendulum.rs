@@ -32,7 +32,6 @@ pub struct DoublePendulum {
 /// added: of the digits of an f64, about log₁₀(m₂/m₁) say nothing of the upper bob, and no formula
 /// finds them again. With this ratio velocities that become momenta and velocities again are off by
 /// at most 4e-9 of the sum of their speeds L₁|ω₁| + L₂|ω₂|; a ratio as small as any loses nothing.
-#[doc(hidden)]
 pub const LARGEST_MASS_RATIO: f64 = 1e6;
 
 /// A rod and the bob at its end.

@@ -30,7 +30,6 @@ pub trait ForceGradient: Separable {
 /// even powers of h only, so that the whole method is symmetric if its kernel is. Hairer, Lubich,
 /// Wanner, *Geometric Numerical Integration* (2006), Sect. VI.5.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(hidden)]
 pub struct Processor {
     /// λ, or h²λ, in units of time.
     linear: f64,

@@ -209,7 +209,6 @@ fn kinetic_of<N: Number>(inertia: N, omega: N) -> N {
 }
 
 /// Beyond this angle (rad) neighbouring f64s are 1/8 rad apart, and an angle means little.
-#[doc(hidden)]
 pub const LARGEST_ANGLE: f64 = 1e15;
 
 /// Returns `theta` if it is at most [`LARGEST_ANGLE`] in size.

@@ -67,7 +67,7 @@ fn garbage_is_judged_or_refused() {
             counts: any.below(2) == 0,
         };
         let claims = Claims::order(any.below(20) as u32).symplectic().symmetric();
-        match try_judge(&garbage, &claims) {
+        match try_judge(&garbage, claims) {
             Ok(report) => {
                 judged += 1;
                 assert!(!report.to_string().is_empty() && !report.findings.is_empty());

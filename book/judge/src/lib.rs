@@ -27,7 +27,30 @@
 //! # }
 //! ```
 //!
-//! A method of the library, or one that implements [`Method`](pendula::Method), is judged as it is.
+//! A method that implements [`Method`](pendula::Method) is judged as it is:
+//!
+//! ```
+//! use pendula::{Method, System};
+//! use pendula_judge::{Claims, judge};
+//!
+//! /// Ralston's method.
+//! struct Ralston;
+//!
+//! impl<S: System> Method<S> for Ralston {
+//!     type Carry = ();
+//!
+//!     fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+//!
+//!     fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+//!         let k1 = system.rate(t, z);
+//!         let k2 = system.rate(t + h * 2.0 / 3.0, z + k1 * (h * 2.0 / 3.0));
+//!         z + k1 * (h / 4.0) + k2 * (h * 3.0 / 4.0)
+//!     }
+//! }
+//!
+//! judge(&Ralston, Claims::order(2).evaluations(2)).assert();
+//! ```
+//!
 //! A wrong claim is refused:
 //!
 //! ```should_panic
@@ -51,7 +74,9 @@ mod stranger;
 #[cfg(feature = "zoo")]
 pub mod zoo;
 
-pub use judge::{Claims, Evidence, Finding, Identity, Report, Verdict, judge, try_judge};
+pub use judge::{
+    ClaimError, Claims, Evidence, Finding, Identity, Report, Verdict, judge, try_judge,
+};
 #[doc(hidden)]
 pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};

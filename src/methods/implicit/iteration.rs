@@ -91,7 +91,6 @@ pub trait Implicit: Info + Sized {
 
 /// An implicit method with an [`Iteration`] of the caller's: see [`Implicit::with`].
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct Iterated<M> {
     method: M,
     iteration: Iteration,

@@ -8,7 +8,6 @@ use crate::systems::{Measurable, RateOf, System, Vector};
 /// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ
 /// kⱼ), and the step z + h Σ bᵢ kᵢ.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct ImplicitTableau<const S: usize> {
     /// The matrix aᵢⱼ.
     pub a: [[f64; S]; S],

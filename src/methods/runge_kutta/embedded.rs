@@ -53,7 +53,6 @@ pub trait Embedded: Copy {
 /// The first three coefficients of dense output, which match the state and the slope at both ends
 /// of a step: Hermite's cubic of the whole displacement `step` with the slopes at both ends, times
 /// h.
-#[doc(hidden)]
 pub fn hermite<D: Vector>(step: D, start_slope: D, end_slope: D) -> [D; 3] {
     let second = start_slope + step * -1.0;
     let third = step + end_slope * -1.0 + second * -1.0;

@@ -44,7 +44,6 @@ impl Info for Deuflhard {
 
 /// What a step of [`Deuflhard`] hands on.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct Rotating<Z, T = f64> {
     /// The state half a kick ahead.
     pub ahead: Z,

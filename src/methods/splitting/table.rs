@@ -8,6 +8,30 @@ use crate::systems::Separable;
 /// The first kick of a step needs the force that the last kick of the step before has just
 /// evaluated, so the two are merged into one. A step thus costs as many evaluations as it has
 /// drifts.
+///
+/// ```
+/// use pendula::methods::Splitting;
+/// use pendula::metrics::EnergyDrift;
+/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
+///
+/// /// McLachlan's method of order 2, whose coefficient a makes its error small.
+/// struct McLachlan2;
+/// const A: f64 = 0.193_183_327_503_783_6;
+///
+/// impl Splitting for McLachlan2 {
+///     const KICKS: &'static [f64] = &[A, 1.0 - 2.0 * A, A];
+///     const DRIFTS: &'static [f64] = &[0.5, 0.5];
+/// }
+///
+/// // Beside Störmer–Verlet with half the step, which costs as much.
+/// let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+/// let mut drifts = [EnergyDrift::new(&pendulum), EnergyDrift::new(&pendulum)];
+/// let [one, other] = [Grid::with_duration(0.02, 100.0)?, Grid::with_duration(0.01, 100.0)?];
+/// integrate(&pendulum, &McLachlan2, start, &one, &mut drifts[0]);
+/// integrate(&pendulum, &StormerVerlet, start, &other, &mut drifts[1]);
+/// assert!(drifts[0].largest() < drifts[1].largest());
+/// # Ok::<(), pendula::Error>(())
+/// ```
 pub trait Splitting {
     /// The kicks, in units of the step: one more than there are drifts. Where the method ends with
     /// a drift, the last is 0.
@@ -79,7 +103,6 @@ impl<M: Splitting, S: Separable> Method<S> for M {
 }
 
 /// The sum of the absolute values, Σ |x|.
-#[doc(hidden)]
 pub const fn length(all: &[f64]) -> f64 {
     let (mut sum, mut i) = (0.0, 0);
     while i < all.len() {
@@ -91,7 +114,6 @@ pub const fn length(all: &[f64]) -> f64 {
 
 /// The kicks of a composition of Störmer–Verlet steps: the two half kicks between two drifts are
 /// merged into one, and the outermost are half kicks. The drifts are the substeps themselves.
-#[doc(hidden)]
 pub const fn kicks<const N: usize, const KICKS: usize>(substeps: [f64; N]) -> [f64; KICKS] {
     assert!(KICKS == N + 1);
     let mut kicks = [0.0; KICKS];

@@ -14,7 +14,7 @@ use crate::known_answers::{self, Known};
 ///
 /// let claims: Claims = "order=2 symplectic symmetric evaluations=1".parse()?;
 /// assert_eq!(claims, Claims::order(2).symplectic().symmetric().evaluations(1));
-/// # Ok::<(), String>(())
+/// # Ok::<(), pendula_judge::ClaimError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Claims {
@@ -131,9 +131,27 @@ fn unknown(name: &str) -> String {
 /// The words of a claim, separated by blanks: `order=2 symplectic symmetric bounded-energy
 /// evaluations=1 name=stormer-verlet`. The numbers are from 1 to 99 999.
 impl FromStr for Claims {
-    type Err = String;
+    type Err = ClaimError;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, ClaimError> {
+        Self::read(text).map_err(ClaimError)
+    }
+}
+
+/// Words that are no claims, and what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClaimError(String);
+
+impl fmt::Display for ClaimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl core::error::Error for ClaimError {}
+
+impl Claims {
+    fn read(text: &str) -> Result<Self, String> {
         let mut claims = Self::default();
         for word in text.split_whitespace() {
             let (key, value) = word.split_once('=').map_or((word, None), |(k, v)| (k, Some(v)));

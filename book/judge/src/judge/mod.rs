@@ -22,7 +22,7 @@ mod symmetry;
 mod thresholds;
 mod verdict;
 
-pub use claims::Claims;
+pub use claims::{ClaimError, Claims};
 pub use identity::{Identity, Seen};
 pub use look::sign_of_slopes;
 pub use report::{Evidence, Finding, Report, Scientific, scientific};
@@ -32,7 +32,7 @@ use answers::Answers;
 use probe::Probe;
 use verdict::{Measured, Trouble};
 
-use super::stranger::Stranger;
+use super::stranger::{Fault, Stranger};
 
 /// Judges `stranger` by its `claims`.
 ///
@@ -40,7 +40,7 @@ use super::stranger::Stranger;
 /// If the stranger breaks the protocol, which a program may do; see [`try_judge`].
 #[track_caller]
 pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
-    match try_judge(stranger, &claims) {
+    match try_judge(stranger, claims) {
         Ok(report) => report,
         Err(fault) => panic!("{fault}"),
     }
@@ -49,9 +49,12 @@ pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
 /// Judges `stranger` by its `claims`.
 ///
 /// # Errors
-/// What the stranger did, if it broke the protocol.
-pub fn try_judge(stranger: &dyn Stranger, claims: &Claims) -> Result<Report, String> {
-    report(stranger, claims).map_err(|trouble| trouble.to_string())
+/// [`Fault::Broken`] says what the stranger did, if it broke the protocol.
+pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Fault> {
+    report(stranger, &claims).map_err(|trouble| match trouble {
+        Trouble::Broken(why) => Fault::Broken(why),
+        other => Fault::Refused(other.to_string()),
+    })
 }
 
 /// What is found of `stranger`.

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula_judge::{Claims, Verdict, try_judge};
+use pendula_judge::{Claims, Fault, Verdict, try_judge};
 
 use super::number::number;
 use super::output::Destination;
@@ -109,7 +109,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);
     let judged = Program::start(&arguments.program, patience).and_then(|program| {
-        let report = try_judge(&program, &arguments.claims)?;
+        let report = try_judge(&program, arguments.claims.clone()).map_err(why)?;
         Ok((report, program.name().to_string()))
     });
     // Here the program has been ended, which an interruption does not reach by itself.
@@ -175,6 +175,14 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
         ReportFormat::Markdown => write!(out, "{}", formats::markdown(judged))?,
     }
     out.flush()
+}
+
+/// What a program did.
+fn why(fault: Fault) -> String {
+    match fault {
+        Fault::Refused(why) | Fault::Broken(why) => why,
+        other => other.to_string(),
+    }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::{PENDULA, assert_refused};
 /// The report on `stranger` in each form.
 #[track_caller]
 fn assert_written(stranger: &dyn Stranger, claims: &Claims) -> Report {
-    let report = try_judge(stranger, claims).expect("it keeps the protocol");
+    let report = try_judge(stranger, claims.clone()).expect("it keeps the protocol");
     let judged = Judged { command: "x", name: "", claims, report: &report };
     assert_valid(&formats::json(&judged));
     let (junit, markdown) = (formats::junit(&judged, true), formats::markdown(&judged));
