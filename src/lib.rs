@@ -108,7 +108,7 @@ pub use error::Error;
 pub use exact::{Motion, MotionKind};
 #[cfg(feature = "ensemble")]
 pub use fast::Ensemble;
-pub use fast::{integrate_fast, try_integrate_fast};
+pub use fast::integrate_fast;
 pub use integrate::{Grid, Method, Observer, Unsolved, integrate, try_integrate};
 pub use methods::{ForwardEuler, Info, MethodInfo, Rk4, StormerVerlet, SymplecticEuler, Taylor};
 #[cfg(feature = "alloc")]

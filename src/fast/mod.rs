@@ -27,14 +27,14 @@ pub use instructions::Instructions;
 pub(crate) use run::start_at;
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
-use crate::error::Error;
-use crate::integrate::{Grid, Method, Observer, integrate, try_integrate};
+use crate::integrate::{Grid, Method, Observer, integrate};
 use crate::systems::{Pendulum, Phase};
 
 /// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
 ///
 /// The same method takes the same steps; only the rounding differs. `observer` sees angle (rad) and
-/// angular velocity (rad/s) as in [`integrate`]; without an observer nothing is converted.
+/// angular velocity (rad/s) as in [`integrate`]; without an observer nothing is converted. After a
+/// step that has no solution the states are NaN, and a run of `registry::InSteps` says why.
 #[inline]
 pub fn integrate_fast<M, O>(
     pendulum: &Pendulum,
@@ -73,34 +73,6 @@ where
     scaled.to_phase(z)
 }
 
-/// [`integrate_fast`], ended by the first step that has no solution.
-///
-/// # Errors
-/// As [`try_integrate`].
-pub fn try_integrate_fast<M, O>(
-    pendulum: &Pendulum,
-    method: &M,
-    start: Phase,
-    grid: &Grid,
-    observer: &mut O,
-) -> Result<Phase, Error>
-where
-    M: Method<ScaledPendulum> + Method<Pendulum>,
-    O: Observer<Phase> + ?Sized,
-{
-    let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
-        return try_integrate(pendulum, method, start, grid, observer);
-    };
-    observer.observe(0, 0.0, start);
-    if observer.is_satisfied() {
-        return Ok(start);
-    }
-    let mut watch = InSeconds { scaled, grid, observer };
-    let (z, steps) = (scaled.from_phase(start), grid.in_steps());
-    let end = try_integrate(&scaled, method, z, &steps, &mut watch);
-    end.map(|end| scaled.to_phase(end)).map_err(|error| in_seconds(error, grid))
-}
-
 /// Passes states to an observer, converted from steps to seconds.
 struct InSeconds<'a, O: ?Sized> {
     scaled: ScaledPendulum,
@@ -119,15 +91,5 @@ impl<O: Observer<Phase> + ?Sized> Observer<ReducedPhase> for InSeconds<'_, O> {
     #[inline]
     fn is_satisfied(&self) -> bool {
         self.observer.is_satisfied()
-    }
-}
-
-/// The error of a run with time in steps, with its step in seconds.
-const fn in_seconds(error: Error, grid: &Grid) -> Error {
-    match error {
-        Error::NotSolved { n, sweeps, change, .. } => {
-            Error::NotSolved { n, step: grid.step(), sweeps, change }
-        }
-        error => error,
     }
 }

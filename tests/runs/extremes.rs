@@ -400,7 +400,7 @@ fn attempts_and_sweeps_are_limited_as_asked_for() {
     let grid = Grid::new(0.05, 20).unwrap();
     let with = |sweeps| {
         let iteration = Iteration::TO_ROUNDING.sweeps(NonZeroU32::new(sweeps).unwrap());
-        pendula::try_integrate_fast(&pendulum, &Gauss6.with(iteration), start, &grid, &mut ())
+        InSteps(Gauss6.with(iteration)).try_run(&pendulum, start, &grid, &mut ())
     };
     let enough = with(100).unwrap();
     assert_eq!([with(u32::MAX), with(u32::MAX - 1)], [Ok(enough); 2]);

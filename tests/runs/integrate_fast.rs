@@ -2,6 +2,7 @@
 
 use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
+use pendula::registry::InSteps;
 use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
 use rstest::rstest;
 
@@ -138,7 +139,7 @@ fn a_satisfied_observer_ends_the_swing() {
     for start in (1..40).map(|i| Phase { theta: 0.3 * f64::from(i), omega: 1.0 / f64::from(i) }) {
         let mut watch = First::<1>::default();
         assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch.clone()));
-        let tried = pendula::try_integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch);
+        let tried = InSteps(Rk4).try_run(&pendulum(), start, &grid, &mut watch);
         assert_eq!(tried, Ok(start));
     }
 }
