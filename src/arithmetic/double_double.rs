@@ -143,7 +143,6 @@ impl Div for DoubleDouble {
 
 /// (sin y, cos y, n), where x = n π/2 + y with |y| ≤ π/4 and n is an integer: all digits right for
 /// |x| < 2⁵².
-#[doc(hidden)]
 pub fn reduced_sine_cosine(x: f64) -> (DoubleDouble, DoubleDouble, f64) {
     let n = libm::rint(x / HALF_PI[0]);
     // The first two lines are exact; the third adds the third part of π/2, which matters when x is

@@ -10,7 +10,6 @@ use crate::integrate::Method;
 use crate::systems::Phase;
 
 /// Pendulums in a block: enough for the sines of some to hide the latency of others.
-#[doc(hidden)]
 pub const LANES: usize = 32;
 
 /// Up to [`LANES`] pendulums and the steps that they take together. It knows neither the method nor

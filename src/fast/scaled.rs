@@ -63,8 +63,9 @@ impl ScaledPendulum {
         // square of 1e-200 underflows, 1e-100 leaves room.
         let moderate = |x: f64| (1e-100..1e100).contains(&x);
         let k = pendulum.frequency_squared() * step * step;
-        // The rounder counts 2⁵¹ half turns; the angle at the start is reduced exactly below 2²⁰,
-        // and kept to half a rounding.
+        // The rounder counts 2⁵¹ half turns, 7e15 rad: a seventieth of that leaves room for a reach
+        // of 8 in place of 1. The angle at the start is reduced exactly below 2²⁰, and kept to half
+        // a rounding.
         let reach = grid.steps() as f64 * M::REACH;
         let kick = k * (1.0 + M::GRADIENT * k);
         let fastest = (start.omega * step).abs() + reach * kick;
@@ -79,7 +80,7 @@ impl ScaledPendulum {
             && moderate(step)
             && (start.omega == 0.0 || moderate(start.omega.abs()))
             && start.theta.abs() < 1e6
-            && farthest < 1e15;
+            && farthest < 1e14;
         fits.then_some(Self { minus_k: -k, step })
     }
 

@@ -47,17 +47,23 @@ pub trait Method<S: System> {
     /// loop owns it, not the method.
     type Carry: Copy;
 
+    // What the fast loops need to know of the library's own methods. For one of somebody else's the
+    // defaults do: with a reach of up to 8 its turns are still counted, see `ScaledPendulum::new`,
+    // and a wrong choice of numbers side by side costs time alone.
     /// A bound on how far a step or one of its stages kicks or drifts, in steps: the largest sum of
     /// |coefficients|. It bounds the number of turns of a run. A series has no such bound; 1 holds
     /// where it converges.
+    #[doc(hidden)]
     const REACH: f64 = 1.0;
 
     /// What stands before h² times the gradient of the force in a kick, at most: a kick is longer
     /// by h² g/L times that. Without a gradient, 0.
+    #[doc(hidden)]
     const GRADIENT: f64 = 0.0;
 
     /// Whether in lanes fewer numbers at a time are as fast: those of a long step hide its latency
     /// by themselves, and the code for many would not fit into the processor's cache.
+    #[doc(hidden)]
     const IS_LONG: bool = false;
 
     /// Prepares the carry for a trajectory of steps `h` (s) that begins at `z` at time `t` (s).

@@ -108,7 +108,6 @@ fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
 
 /// [`sin`] and [`cos`] of `x` (rad) up to 2²⁰ quarter turns, without a branch, with the same bits.
 #[inline(always)]
-#[doc(hidden)]
 pub fn sin_and_cos_within<N: Number>(x: N) -> (N, N) {
     let (quarters, rest) = reduce_always(x);
     let (sine, cosine) = (sine(rest), cosine(rest));
