@@ -22,7 +22,8 @@ where
     match ScaledPendulum::new::<M>(pendulum, grid, z) {
         Some(scaled) => {
             let typed = Typed::new(&scaled, method, steps, 1.0, scaled.from_phase(z));
-            Run::with(Box::new(InSteps { scaled, typed }), z, grid, steps)
+            let block = [typed.state(); BLOCK];
+            Run::with(Box::new(InSteps { scaled, typed, block }), z, grid, steps)
         }
         None => Run::start_at(pendulum, method, z, grid, steps),
     }
@@ -32,12 +33,14 @@ where
 struct InSteps<'m, M: Method<Counting<ScaledPendulum>>> {
     scaled: ScaledPendulum,
     typed: Typed<'m, ScaledPendulum, M>,
+    /// Room for states before they are converted; to fill it anew would take as long as to convert
+    /// them.
+    block: [ReducedPhase; BLOCK],
 }
 
 impl<M: Method<Counting<ScaledPendulum>>> Stepper<Phase> for InSteps<'_, M> {
     fn take(&mut self, every: NonZeroU64, states: &mut [Phase]) -> Taken {
-        let mut block: [ReducedPhase; BLOCK] = [self.typed.state(); BLOCK];
-        let block = &mut block[..states.len()];
+        let block = &mut self.block[..states.len()];
         let taken = self.typed.take(every, block);
         for (state, z) in states.iter_mut().zip(&block[..taken.states]) {
             *state = self.scaled.to_phase(*z);

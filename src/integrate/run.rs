@@ -240,20 +240,25 @@ impl<'m, Z: Copy> Run<'m, Z> {
             let states = &mut block[..states.min(BLOCK as u64) as usize];
             let is_observed = (n + gap.get()) % every == 0;
             let taken = self.stepper.take(gap, states);
+            // Counted here and not in `self`, which each call of the observer would wait for.
+            let mut at = n;
             for &z in &states[..taken.states] {
-                self.z = z;
-                self.steps += gap.get();
+                at += gap.get();
                 if !is_observed {
                     continue;
                 }
-                observer.observe(self.steps, self.time(), z);
+                observer.observe(at, self.grid.time(at), z);
                 if observer.is_satisfied() {
+                    (self.steps, self.z) = (at, z);
                     // It may be satisfied in the midst of the block.
-                    if self.steps < n + states.len() as u64 * gap.get() {
-                        self.stepper.take_only(self.steps - n);
+                    if at < n + states.len() as u64 * gap.get() {
+                        self.stepper.take_only(at - n);
                     }
                     return Ok(z);
                 }
+            }
+            if let Some(&z) = states[..taken.states].last() {
+                (self.steps, self.z) = (at, z);
             }
             if let Some((n, Unsolved { sweeps, change })) = taken.unsolved {
                 self.is_over = true;
