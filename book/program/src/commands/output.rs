@@ -13,7 +13,7 @@ use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files;
 use pendula_output::files::whole_file::WholeFile;
-use pendula_rows::{Line, Look};
+use pendula_output::rows::{Line, Look};
 use serde_json::Value;
 
 use super::plot::Plot;

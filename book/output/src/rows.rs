@@ -1,5 +1,4 @@
-//! A row of numbers as text. It stands apart from the program's crate, which is compiled in half
-//! the time without optimisation, as half the time of a simulation is spent here.
+//! A row of numbers as text, millions a second: half the time of a simulation is spent here.
 
 /// How a row looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
