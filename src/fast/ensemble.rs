@@ -279,8 +279,9 @@ impl Ensemble<'_> {
 /// every system.
 ///
 /// Whoever names it by its type compiles its steps for each set of instructions, which is seconds a
-/// method. Of a method by its name they are compiled with the library, with the feature `table`;
-/// without, the pendulums take their steps one after the other, to the same bits.
+/// method. Of a method of [`METHODS`](crate::METHODS) they are compiled with the library, with the
+/// feature `table`; without, the pendulums take their steps one after the other, to the same bits.
+/// So they do with any other `dyn AnyMethod`, by its own runs.
 pub trait InLanes: Sync {
     /// Its steps in lanes, if they are compiled.
     #[doc(hidden)]

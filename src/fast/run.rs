@@ -52,6 +52,10 @@ impl<M: Method<Counting<ScaledPendulum>>> Stepper<Phase> for InSteps<'_, M> {
         self.typed.take_only(steps);
     }
 
+    fn state(&self) -> Phase {
+        self.scaled.to_phase(self.typed.state())
+    }
+
     fn nothing(&self) -> Phase {
         Phase { theta: f64::NAN, omega: f64::NAN }
     }

@@ -46,6 +46,8 @@ use crate::systems::{Counting, System};
 /// assert_eq!(states.len(), 3);
 /// # Ok::<(), pendula::Error>(())
 /// ```
+///
+/// A run stays in the thread in which it began; a method may begin one in each.
 pub struct Run<'m, Z> {
     stepper: Box<dyn Stepper<Z> + 'm>,
     grid: Grid,
@@ -66,10 +68,13 @@ pub(crate) trait Stepper<Z> {
     /// there.
     fn take_only(&mut self, steps: u64);
 
+    /// The state after the steps taken.
+    fn state(&self) -> Z;
+
     /// The state after a step that has no solution: every component is NaN.
     fn nothing(&self) -> Z;
 
-    /// Force evaluations, counted, one before the first step included.
+    /// Force evaluations, counted, those before the first step included.
     fn evaluations(&self) -> u64;
 }
 
@@ -107,11 +112,6 @@ impl<'m, S: System + Clone, M: Method<Counting<S>>> Typed<'m, S, M> {
         let carry = method.start(&counting, steps as f64 * h, h, z);
         let now = Standing { steps, z, carry, evaluations: counting.evaluations() };
         Self { system: system.clone(), method, h, now, before: now }
-    }
-
-    /// The state after the steps taken.
-    pub(crate) fn state(&self) -> S::State {
-        self.now.z
     }
 }
 
@@ -151,10 +151,13 @@ impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, 
         }
     }
 
+    fn state(&self) -> S::State {
+        self.now.z
+    }
+
     fn nothing(&self) -> S::State {
-        let Standing { steps, z, mut carry, .. } = self.now;
-        let system = Counting::new(self.system.clone());
-        self.method.step(&system, steps as f64 * self.h, self.h, z, &mut carry)
+        let Standing { steps, z, .. } = self.now;
+        z + self.system.rate(steps as f64 * self.h, z) * f64::NAN
     }
 
     fn evaluations(&self) -> u64 {
@@ -177,8 +180,8 @@ impl<'m, Z: Copy> Run<'m, Z> {
     }
 
     /// A run from the state `z` after `steps` steps along `grid`: to go on where another run has
-    /// ended, or to begin at another time than 0. Where the method carries more than its state the
-    /// last bits differ from those of one run.
+    /// ended, or to begin at another time than 0. Where the method carries more than its state, or
+    /// the pendulum's state is converted to steps, the last bits differ from those of one run.
     pub fn start_at<S, M>(system: &S, method: &'m M, z: Z, grid: &Grid, steps: u64) -> Self
     where
         S: System<State = Z> + Clone + 'm,
@@ -212,7 +215,7 @@ impl<'m, Z: Copy> Run<'m, Z> {
         self.grid.time(self.steps)
     }
 
-    /// The force evaluations so far, one before the first step included.
+    /// The force evaluations so far, those before the first step included, if there are any.
     pub fn evaluations(&self) -> u64 {
         self.stepper.evaluations()
     }
@@ -223,7 +226,8 @@ impl<'m, Z: Copy> Run<'m, Z> {
     ///
     /// # Errors
     /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge. The
-    /// observer has seen the states before it.
+    /// run stands before that step, and the observer has seen the states up to there; to advance
+    /// again is to try it again.
     pub fn advance<O: Observer<Z> + ?Sized>(
         &mut self,
         until: u64,
@@ -261,6 +265,8 @@ impl<'m, Z: Copy> Run<'m, Z> {
                 (self.steps, self.z) = (at, z);
             }
             if let Some((n, Unsolved { sweeps, change })) = taken.unsolved {
+                // Also where nobody has seen the last of them.
+                (self.steps, self.z) = (n, self.stepper.state());
                 self.is_over = true;
                 return Err(Error::NotSolved { n, step: self.grid.step(), sweeps, change });
             }

@@ -14,8 +14,8 @@ use crate::systems::{Counting, Pendulum, Phase, System};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no method for `{S}` that can be chosen at run time",
     note = "it has to be a `Method` for `pendula::Counting<{S}>`, as `impl<S: System> Method<S>` \
-            makes it, and to have an entry, by `impl pendula::Info`; `{S}` has to be `Clone`, and \
-            to borrow nothing"
+            makes it, and to have a `MethodInfo`, by `impl pendula::Info`; `{S}` has to be \
+            `Clone`, and to borrow nothing"
 )]
 /// A method for the system `S` that is chosen at run time: `&dyn AnyMethod<S>`, or a `Box` of it.
 ///

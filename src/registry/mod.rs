@@ -8,6 +8,14 @@
 //! [`integrate`](crate::integrate()), as those have that [`in_seconds`] finds; within [`InSteps`]
 //! it takes the faster steps too.
 //!
+//! | on | by name | bits |
+//! |---|---|---|
+//! | the pendulum | [`method_named`] | those of [`integrate_fast`](crate::integrate_fast()) |
+//! | the pendulum, in seconds | [`in_seconds`] | those of [`integrate`](crate::integrate()) |
+//! | another system of the library | [`ByName::method_named`] | those of [`integrate`](crate::integrate()) |
+//! | a system of your own | [`method_for`], [`method_for_separable`] | the same |
+//!
+//! Names are those of [`MethodInfo::name`](crate::MethodInfo::name), such as `"stormer-verlet"`.
 //! On other systems of the library methods are found by [`ByName::method_named`]; on a system of
 //! your own by [`method_for`], or by [`method_for_separable`] if it is
 //! [`Separable`](crate::Separable):

@@ -8,8 +8,8 @@ use pendula::methods::BlanesMoan6;
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{Driven, Separable};
 use pendula::{
-    AnyMethod, Grid, Observer, Pendulum, Phase, Rk4, StormerVerlet, System, integrate,
-    integrate_fast, method_named, state,
+    AnyMethod, Error, Grid, Method, Observer, Pendulum, Phase, Rk4, StormerVerlet, System,
+    Unsolved, integrate, integrate_fast, method_named, state,
 };
 
 use crate::common::{First, Samples, on};
@@ -193,4 +193,54 @@ fn two_bodies_in_the_plane_fit() {
     assert_eq!(ends[0], integrate(&Springs, &StormerVerlet, start, &grid, &mut ()));
     assert_eq!(ends[1], integrate(&Springs, &BlanesMoan6, start, &grid, &mut ()));
     assert_eq!(ends[2], integrate(&Springs, &Rk4, start, &grid, &mut ()));
+}
+
+/// Forward Euler, which finds no solution at one time.
+struct Fails;
+
+impl<S: System> Method<S> for Fails {
+    type Carry = ();
+
+    fn start(&self, _system: &S, _t: f64, _h: f64, _z: S::State) {}
+
+    fn step(&self, system: &S, t: f64, h: f64, z: S::State, _carry: &mut ()) -> S::State {
+        z + system.rate(t, z) * h
+    }
+
+    fn try_step(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        carry: &mut (),
+    ) -> Result<S::State, Unsolved> {
+        if t == 100.0 {
+            return Err(Unsolved { sweeps: 1, change: 1.0 });
+        }
+        Ok(self.step(system, t, h, z, carry))
+    }
+}
+
+/// Catches: a run that is said to stand at its last state that was seen, and not where its method
+/// stands; states after it that are numbers.
+#[test]
+fn a_run_that_fails_stands_before_the_step_without_a_solution() {
+    let (slow, start) = (Pendulum::new(1e-6, 1.0, 1.0).unwrap(), Phase::at_rest(1.0));
+    let grid = |steps| Grid::new(1.0, steps).unwrap();
+    let there = integrate(&slow, &Fails, start, &grid(100), &mut ());
+    for every in [1, 64, 100, 1000] {
+        let mut run = Run::start(&slow, &Fails, start, &grid(1000));
+        let every = NonZeroU64::new(every).unwrap();
+        for _ in 0..2 {
+            let failed = run.advance(1000, every, &mut ());
+            assert!(matches!(failed, Err(Error::NotSolved { n: 100, .. })), "{failed:?}");
+            assert_eq!((run.steps(), run.state(), run.evaluations()), (100, there, 100));
+        }
+        assert_eq!(run.next(), None);
+        let mut last = start;
+        let end = Run::start(&slow, &Fails, start, &grid(1000))
+            .finish(every, &mut |_: u64, _: f64, z: Phase| last = z);
+        assert!(end.theta.is_nan() && end.omega.is_nan() && last.theta.is_nan());
+    }
 }

@@ -8,7 +8,8 @@ use crate::systems::{RateOf, System};
 /// and the step z + h Σ bᵢ kᵢ. The nodes are cᵢ = Σⱼ aᵢⱼ.
 ///
 /// For a method of your own, tried out in a line; the library's are written out, or generated from
-/// a table, and take less time.
+/// a table, and take less time. It has no [`MethodInfo`](crate::MethodInfo): to choose it at run
+/// time, wrap it in a type that has one.
 ///
 /// ```
 /// use pendula::methods::Explicit;
@@ -43,8 +44,8 @@ impl<const S: usize> Explicit<S> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a coefficient aᵢⱼ with j ≥ i that is not 0, with which the method
-    /// would be implicit, one that is not finite, and weights bᵢ whose sum is not 1, with which it
-    /// would have no order. (To 1e-12, so that coefficients may be decimals.)
+    /// would be implicit, a row whose sum is not finite, and weights bᵢ whose sum is not 1, with
+    /// which it would have no order. (To 1e-12, so that coefficients may be decimals.)
     pub fn new(a: [[f64; S]; S], b: [f64; S]) -> Result<Self, Error> {
         let refused = |name, value, allowed| Err(Error::Parameter { name, value, allowed });
         let mut c = [0.0; S];

@@ -51,7 +51,8 @@ pub(crate) struct KicksAndDrifts {
 impl KicksAndDrifts {
     /// Those of the method `M`.
     pub(crate) const fn of<M: Splitting>() -> Self {
-        assert!(M::KICKS.len() == M::DRIFTS.len() + 1);
+        assert!(!M::DRIFTS.is_empty(), "a splitting method has a drift at least");
+        assert!(M::KICKS.len() == M::DRIFTS.len() + 1, "one kick more than drifts");
         Self { kicks: M::KICKS, drifts: M::DRIFTS }
     }
 }
