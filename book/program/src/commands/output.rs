@@ -211,7 +211,7 @@ pub struct Rows<'o, const N: usize> {
 }
 
 impl<'o, const N: usize> Rows<'o, N> {
-    /// Begins the output that a [drawing](super::plot::Drawing::begin) has opened with its plot: an
+    /// Begins the output that a drawing has opened with its plot: an
     /// array, or lines, with a header or without.
     pub fn begin(
         (plot, mut out): (Option<Plot<'o>>, Destination<'o>),
