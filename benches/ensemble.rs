@@ -2,8 +2,10 @@
 //!
 //! The first table is the speed of a step, one trajectory after the other and in lanes, with each
 //! set of vector instructions; where the processor lacks them, the baseline runs, and its speed is
-//! shown. The second is the time in which a method brings every one of the pendulums to an error.
-//! Both are of one thread.
+//! shown. The second is how many additions, subtractions, multiplications and divisions a second
+//! that is, where their number is the same in every step, beside as many sums as products that wait
+//! for nothing. The third is the time in which a method brings every one of the pendulums to an
+//! error. All are of one thread.
 //!
 //! `cargo bench --bench ensemble -- NAME` shows the methods whose name contains NAME.
 
@@ -14,10 +16,12 @@ mod threads;
 
 use std::hint::black_box;
 
+use fearless_simd::{Level, Simd, SimdBase};
 use machine::{instructions, seconds};
 use pendula::fast::{Ensemble, Instructions};
 use pendula::metrics::EndError;
 use pendula::{AnyMethod, Grid, METHODS, MethodInfo, Pendulum, Phase};
+use pendula_device::method_named;
 use threads::with_threads;
 
 /// A multiple of the number of lanes.
@@ -84,6 +88,50 @@ fn speeds(method: &dyn AnyMethod) -> [f64; 4] {
         }
     }
     shortest.map(|time| 1e-6 * f64::from(PENDULUMS) * steps as f64 / time)
+}
+
+/// Sums, and products, under way at a time: two units for each, which take three or four cycles,
+/// need six or eight. With no operand but themselves they fill the sixteen registers.
+const AT_ONCE: usize = 8;
+
+/// So many times each.
+const TIMES: usize = 1 << 18;
+
+/// As many sums as products that wait for nothing but the one before in the same register: a
+/// second, in 10⁹. No method has more with these instructions.
+fn bound<S: Simd>(simd: S) -> f64 {
+    let [one, zero] = black_box([1.0, 0.0]);
+    let work = || {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let splat = |x| S::f64s::splat(simd, x);
+                let (mut products, mut sums) = ([splat(one); AT_ONCE], [splat(zero); AT_ONCE]);
+                for _ in 0..TIMES {
+                    for (product, sum) in products.iter_mut().zip(&mut sums) {
+                        *product = *product * *product;
+                        *sum = *sum + *sum;
+                    }
+                }
+                let all = products.into_iter().chain(sums);
+                all.fold(splat(0.0), |all, one| all + one).as_slice()[0]
+            },
+        )
+    };
+    let shortest = (0..10 * ROUNDS).map(|_| seconds(work)).fold(f64::INFINITY, f64::min);
+    let lanes = S::f64s::splat(simd, 0.0).as_slice().len();
+    1e-9 * (2 * AT_ONCE * TIMES * lanes) as f64 / shortest
+}
+
+/// The same for each set of instructions, where the processor has it.
+fn bounds() -> [Option<f64>; 3] {
+    let level = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let bounds =
+        [level.as_sse2().map(bound), level.as_avx2().map(bound), level.as_avx512().map(bound)];
+    #[cfg(not(target_arch = "x86_64"))]
+    let bounds = [Some(fearless_simd::dispatch!(level, simd => bound(simd))), None, None];
+    bounds
 }
 
 /// The shortest time (s) in which every pendulum comes to each of the [`GOALS`].
@@ -156,6 +204,34 @@ fn measure(only: &str) -> Tables {
     tables
 }
 
+/// Prints what the speeds are in operations, and how much of the [`bounds`].
+fn print_operations(speeds: &[(&'static str, [f64; 4])]) {
+    let bounds = bounds();
+    println!("\nBillions of operations a second, and their share of the last row.\n");
+    println!("| Method | operations a step | SSE2 | % | AVX2 | % | AVX-512 | % |");
+    println!("|---|--:|--:|--:|--:|--:|--:|--:|");
+    for (title, [_, lanes @ ..]) in speeds {
+        let method = METHODS.iter().find(|method| method.info().title == *title);
+        let on_device = method.and_then(|method| method_named(method.info().name));
+        let Some(program) = on_device.and_then(|method| (method.program)()) else { continue };
+        let cells = lanes.iter().zip(bounds).map(|(speed, bound)| match bound {
+            Some(bound) => {
+                let done = 1e-3 * speed * program.operations as f64;
+                format!("{} | {:.0}", digits(done), 100.0 * done / bound)
+            }
+            None => "– | –".into(),
+        });
+        println!(
+            "| {title} | {} | {} |",
+            program.operations,
+            cells.collect::<Vec<_>>().join(" | ")
+        );
+    }
+    let bounds =
+        bounds.map(|bound| bound.map_or("– |".into(), |bound| format!("{} |", digits(bound))));
+    println!("| sums and products that wait for nothing | | {} |", bounds.join(" | "));
+}
+
 fn main() {
     let only = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let Tables { speeds, times } = with_threads(1, || measure(only.as_deref().unwrap_or("")));
@@ -167,6 +243,7 @@ fn main() {
         let cells = lanes.map(|speed| format!("{} | {:.1}", digits(speed), speed / alone));
         println!("| {title} | {} | {} |", digits(*alone), cells.join(" | "));
     }
+    print_operations(&speeds);
     println!("\nMilliseconds for {PENDULUMS} pendulums, {DURATION} s, to a largest error of\n");
     let goals = GOALS.map(|goal| format!("to $10^{{{}}}$", goal.log10().round()));
     println!("| Method | {} |\n|---{}|", goals.join(" | "), "|--:".repeat(GOALS.len()));
