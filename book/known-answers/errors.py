@@ -16,7 +16,7 @@ from arithmetic import Digits
 from steps import Method
 
 ROOT = pathlib.Path(__file__).parents[2]
-DATA = ROOT / "src/verify/properties/data"
+DATA = ROOT / "book/judge/src/properties/data"
 END = mpf(4)
 STARTS = [("1", "0"), ("-2", "0.5"), ("0.5", "2.5")]
 LADDER = [n * 2**k for k in range(14) for n in (2, 3)]

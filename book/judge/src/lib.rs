@@ -65,11 +65,18 @@
 //! that it computes in double precision, and that its stages know the time, if it can be driven.
 //! Without claims it is said what it is, and nothing is judged.
 //!
+//! A program in another language is a stranger too: [`Program`] starts it and speaks the lines of the
+//! [`protocol`] with it. For other programs a report is written in one of the [`formats`].
+//!
 //! [`properties`] are the stricter checks that each method of the library passes.
 
+pub mod formats;
 mod judge;
 pub mod known_answers;
+pub mod printable;
+mod program;
 pub mod properties;
+pub mod protocol;
 mod stranger;
 #[cfg(feature = "zoo")]
 pub mod zoo;
@@ -79,6 +86,7 @@ pub use judge::{
 };
 #[doc(hidden)]
 pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
+pub use program::Program;
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 
 #[cfg(test)]

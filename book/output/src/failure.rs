@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::io;
 use std::process::ExitCode;
 
-use crate::printable::printable;
+use pendula_judge::printable::printable;
 
 /// Why a command ended early.
 #[derive(Debug)]

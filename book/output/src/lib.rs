@@ -1,12 +1,11 @@
 //! What the program and the builder of the book have in common: how their work reaches its user.
 //!
 //! In reading order: how a command ends ([`failure`], [`interrupt`]), files that appear when they
-//! are whole ([`files`]), numbers as rows ([`rows`]), text of others as it can be shown
-//! ([`printable`]), and a page that needs nothing but itself ([`page`]).
+//! are whole ([`files`]), numbers as rows ([`rows`]), and a page that needs nothing but itself
+//! ([`page`]).
 
 pub mod failure;
 pub mod files;
 pub mod interrupt;
 pub mod page;
-pub mod printable;
 pub mod rows;

@@ -11,7 +11,7 @@ use super::verdict::{Weight, counted, sentences};
 use super::words::{code, difference, link, prose, row, summary};
 use super::{Figure, Review, Turn};
 use crate::preprocess::markdown::fence;
-use pendula_output::printable::printable;
+use pendula_judge::printable::printable;
 
 /// A review, written.
 #[derive(Clone, Debug, Default)]

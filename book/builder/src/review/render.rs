@@ -10,9 +10,10 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
 use super::markdown::Document;
+use pendula_judge::printable::escaped;
 use pendula_output::files::whole_file::WholeFile;
 use pendula_output::files::{canonicalize, create_folder};
-use pendula_output::page::{Page, escaped};
+use pendula_output::page::Page;
 
 /// The folder of the page, below the top folder of the project.
 pub const FOLDER: &str = "target/review";

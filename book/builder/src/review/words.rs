@@ -7,7 +7,7 @@ use super::cells::Value;
 use super::groups::{Group, Item};
 use super::verdict::counted;
 use crate::preprocess::markdown::fence;
-use pendula_output::printable::printable;
+use pendula_judge::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
 pub fn row(item: &Item) -> [String; 4] {

@@ -61,7 +61,7 @@ impl Property {
             let entry = method.info();
             panic!(
                 "{} ({}), checked for {name}: {found}\n  asked for: {criterion}\n  derived in \
-                 src/verify/properties/{name}.rs",
+                 book/judge/src/properties/{name}.rs",
                 entry.title, entry.name
             );
         }

@@ -3,9 +3,8 @@
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use pendula_judge::printable::escaped;
 use sha2::{Digest, Sha256};
-
-use crate::printable::printable;
 
 /// What is on a page.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +46,6 @@ impl Page<'_> {
 /// The name of a script in a policy.
 pub fn hash(script: &str) -> String {
     format!("'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(script)))
-}
-
-/// Text as HTML.
-pub fn escaped(text: &str) -> String {
-    let text = printable(text);
-    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    text.replace('"', "&quot;").replace('\'', "&#x27;")
 }
 
 /// Text as HTML, with what stands between backticks as code.

@@ -6,10 +6,10 @@ use std::io::{self, BufRead, Write};
 use clap::Args;
 use pendula::registry::ByName;
 use pendula::{AnyMethod, Driven, method_named};
+use pendula_judge::protocol::{Question, question};
 use pendula_judge::{Chosen, Fault, Request, Stranger};
 
 use super::system::methods;
-use crate::verify::protocol::{Question, question};
 use pendula_output::failure::Failure;
 
 /// Arguments of `pendula serve`.

@@ -8,12 +8,13 @@ use std::time::Duration;
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
-use pendula_judge::{Claims, Fault, Verdict, try_judge};
+use pendula_judge::formats::{self, Judged};
+use pendula_judge::{Claims, Fault, Program, Verdict, try_judge};
 
 use super::number::number;
 use super::output::Destination;
 use crate::colour;
-use crate::verify::{Judged, Program, formats, page};
+use crate::verify::page;
 use pendula_output::failure::Failure;
 use pendula_output::interrupt;
 
@@ -108,7 +109,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);
-    let judged = Program::start(&arguments.program, patience).and_then(|program| {
+    let started = Program::start_until(&arguments.program, patience, interrupt::flag());
+    let judged = started.and_then(|program| {
         let report = try_judge(&program, arguments.claims.clone()).map_err(why)?;
         Ok((report, program.name().to_string()))
     });

@@ -2,10 +2,11 @@
 
 use pendula::Phase;
 use pendula_charts::{Axis, Chart, Figure, Style};
+use pendula_judge::formats::Judged;
+use pendula_judge::printable::escaped;
 use pendula_judge::{Claims, Evidence, Finding, Report, Verdict, scientific};
 
-use super::Judged;
-use pendula_output::page::{Page, escaped, with_code};
+use pendula_output::page::{Page, with_code};
 
 /// The page.
 pub fn html(judged: &Judged<'_>) -> String {

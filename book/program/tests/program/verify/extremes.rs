@@ -1,8 +1,9 @@
 //! Programs that answer with numbers at the limits of f64, and claims at theirs: a verdict, or one
 //! line, and a page that can be drawn.
 
+use pendula_judge::formats::{self, Judged};
 use pendula_judge::{Claims, FromFn, Report, Stranger, try_judge};
-use pendula_program::verify::{Judged, formats, page};
+use pendula_program::verify::page;
 use rstest::rstest;
 
 use super::{assert_valid, judged};

@@ -7,8 +7,7 @@ use std::process::{Command, Output, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pendula_judge::{Drive, Fault, Request, Stranger};
-use pendula_program::verify::Program;
+use pendula_judge::{Drive, Fault, Program, Request, Stranger};
 use rstest::rstest;
 use tempfile::TempDir;
 

@@ -10,8 +10,7 @@ use std::ffi::OsString;
 use std::time::Duration;
 
 use pendula::Phase;
-use pendula_judge::Request;
-use pendula_program::verify::Program;
+use pendula_judge::{Program, Request};
 use serde_json::Value;
 
 use crate::{PENDULA, names, pendula, refused};
@@ -55,7 +54,7 @@ fn assert_valid(report: &Value) {
 /// The schema of the repository, of the few words of JSON Schema that are known here. (A library
 /// that knows all of them brings forty packages along.)
 fn schema() -> Value {
-    serde_json::from_str(include_str!("../../../src/verify/report.schema.json")).unwrap()
+    serde_json::from_str(include_str!("../../../../judge/src/report.schema.json")).unwrap()
 }
 
 /// Why `value` is not valid by `schema`, whose references are to `root`.

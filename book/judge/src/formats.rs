@@ -1,10 +1,35 @@
 //! The report of the judge for other programs: as JSON, as JUnit XML, and as Markdown.
 
-use pendula_judge::{Finding, Verdict};
-use pendula_output::printable::printable;
 use serde_json::{Value, json};
 
-use super::Judged;
+use crate::printable::{escaped, printable};
+use crate::{Claims, Finding, Report, Verdict};
+
+/// A program with what was found of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged<'a> {
+    /// The command that started it.
+    pub command: &'a str,
+    /// What it calls itself, which may be nothing.
+    pub name: &'a str,
+    /// What was claimed of it.
+    pub claims: &'a Claims,
+    /// What was found.
+    pub report: &'a Report,
+}
+
+impl Judged<'_> {
+    /// Its name, or the command where it has none.
+    pub fn title(&self) -> &str {
+        if self.name.is_empty() { self.command } else { self.name }
+    }
+
+    /// What is claimed, in words.
+    pub fn claimed(&self) -> String {
+        let claims = self.claims.to_string();
+        if claims.is_empty() { "nothing".to_string() } else { claims }
+    }
+}
 
 /// The number of the schema: another one where a field changes its meaning or goes.
 const SCHEMA: u32 = 1;
@@ -107,7 +132,7 @@ fn as_xml(text: &str) -> String {
         c if c.is_control() => '\u{fffd}',
         c => c,
     };
-    pendula_output::page::escaped(&text.chars().map(allowed).collect::<String>())
+    escaped(&text.chars().map(allowed).collect::<String>())
 }
 
 /// The report as Markdown, for a pull request: the verdict, what to look at, and a table.

@@ -1,7 +1,8 @@
 //! The lines that `pendula` and a program exchange, version 1. A [`Request`] writes its own line.
 
 use pendula::Phase;
-use pendula_judge::{Drive, Request};
+
+use crate::{Drive, Request};
 
 /// The first line of `pendula`.
 pub const HELLO: &str = "hello 1";

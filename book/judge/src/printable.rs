@@ -13,6 +13,13 @@ pub fn printable(text: &str) -> String {
     shown
 }
 
+/// The text as it can be shown, as HTML or XML.
+pub fn escaped(text: &str) -> String {
+    let text = printable(text);
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replace('"', "&quot;").replace('\'', "&#x27;")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,21 +1,22 @@
 //! The side of the protocol that asks: a program that is not ours, as a [`Stranger`].
 
+mod process;
+
 use std::ffi::OsString;
 use std::io;
 use std::process::{Command, Stdio};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use pendula::Phase;
-use pendula_judge::{Fault, Reply, Request, Stranger};
 
-use super::process::{self, Group, LONGEST, LastLines, Line};
-use super::protocol::{Answer, BYE, HELLO, answer, greeting};
-use pendula_output::interrupt;
-use pendula_output::printable::printable;
+use self::process::{Group, LONGEST, LastLines, Line};
+use crate::printable::printable;
+use crate::protocol::{Answer, BYE, HELLO, answer, greeting};
+use crate::{Fault, Reply, Request, Stranger};
 
 /// How many times as long as for an answer a program is waited for in all. Some 400 questions are
 /// asked, most of which take a small part of the patience: see [`Program::longest_run`].
@@ -42,15 +43,27 @@ pub struct Program {
 
 impl Program {
     /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
-    /// answer, and 120 times as long for all; after an interruption it is waited
-    /// for no longer.
+    /// answer, and 120 times as long for all.
     ///
     /// # Errors
     /// One line that says why it cannot be started, or how it answered.
     pub fn start(command: &[OsString], patience: Duration) -> Result<Self, String> {
+        static NEVER: AtomicBool = AtomicBool::new(false);
+        Self::start_until(command, patience, &NEVER)
+    }
+
+    /// As [`start`](Self::start); once `interrupted` is set, the program is waited for no longer.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn start_until(
+        command: &[OsString],
+        patience: Duration,
+        interrupted: &'static AtomicBool,
+    ) -> Result<Self, String> {
         let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let shown = shortened(&words.join(" "), EXPLAINED);
-        let conversation = Conversation::start(command)
+        let conversation = Conversation::start(command, interrupted)
             .map_err(|error| format!("{shown} cannot be started: {error}"))?;
         let mut program = Self {
             command: shown,
@@ -203,10 +216,12 @@ struct Conversation {
     errors: LastLines,
     /// When the answer that is read has to be there.
     deadline: Instant,
+    /// Set when the user has had enough.
+    interrupted: &'static AtomicBool,
 }
 
 impl Conversation {
-    fn start(command: &[OsString]) -> io::Result<Self> {
+    fn start(command: &[OsString], interrupted: &'static AtomicBool) -> io::Result<Self> {
         let (program, arguments) =
             command.split_first().ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
         let mut command = Command::new(program);
@@ -224,6 +239,7 @@ impl Conversation {
             answers: process::lines(output),
             errors: LastLines::of(errors),
             deadline: Instant::now(),
+            interrupted,
         })
     }
 
@@ -242,7 +258,7 @@ impl Conversation {
     fn line(&self, so_far: impl Fn() -> String) -> Result<String, Trouble> {
         const LISTEN: Duration = Duration::from_millis(20);
         loop {
-            if interrupt::flag().load(Ordering::Relaxed) {
+            if self.interrupted.load(Ordering::Relaxed) {
                 return Err(Trouble::Interrupted);
             }
             let left = self.deadline.saturating_duration_since(Instant::now());
