@@ -65,8 +65,8 @@
 //! that it computes in double precision, and that its stages know the time, if it can be driven.
 //! Without claims it is said what it is, and nothing is judged.
 //!
-//! A program in another language is a stranger too: [`Program`] starts it and speaks the lines of the
-//! [`protocol`] with it. For other programs a report is written in one of the [`formats`].
+//! A program in another language is a stranger too: [`Program`] starts it and speaks the lines of
+//! the [`protocol`] with it. For other programs a report is written in one of the [`formats`].
 //!
 //! [`properties`] are the stricter checks that each method of the library passes.
 

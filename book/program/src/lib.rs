@@ -1,8 +1,8 @@
 //! What the binary `pendula` does, as a library, so that its integration tests can call it.
 //!
 //! In reading order: the command line ([`cli`]), its [`commands`], what the judge says of a program
-//! that is not ours, as a page ([`verify`]), and what depends on the reader's machine, and so is in no
-//! snapshot ([`work_precision`]).
+//! that is not ours, as a page ([`verify`]), and what depends on the reader's machine, and so is in
+//! no snapshot ([`work_precision`]).
 //!
 //! Without the feature `book` there are the simulations and the judge alone.
 
