@@ -1,10 +1,14 @@
 //! The list of methods: complete, unambiguous, and consistent with the files.
 
 use std::collections::BTreeSet;
+use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-use pendula::registry::InSteps;
-use pendula::{AnyMethod, Grid, METHODS, Pendulum, Phase, StormerVerlet, method_named};
+use pendula::registry::{ByName, InSteps};
+use pendula::{
+    AnyMethod, Compensated, Counting, Damped, DoublePendulum, Driven, Grid, METHODS, Method,
+    Pendulum, Phase, Shaken, StormerVerlet, System, method_named, methods,
+};
 
 /// The folder of the methods.
 fn source() -> PathBuf {
@@ -46,6 +50,50 @@ fn entries_are_complete_and_distinct() {
     }
     assert!(method_named("no-such-method").is_none());
     assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].info().name);
+}
+
+/// Asks a method whether it is one for the system: its own constant goes before that of the trait.
+struct Asked<M, S>(PhantomData<(M, S)>);
+
+impl<M: Method<Counting<S>>, S: System> Asked<M, S> {
+    const SUITS: bool = true;
+}
+
+trait Otherwise {
+    const SUITS: bool = false;
+}
+
+impl<M, S> Otherwise for Asked<M, S> {}
+
+macro_rules! suit {
+    ($($module:ident::$method:ident,)+ => $System:ty) => {
+        &[$((stringify!($module), Asked::<methods::$method, $System>::SUITS)),+]
+    };
+}
+
+/// The double pendulum stands for every system, which [`pendula::registry::method_for`] asks for,
+/// the damped pendulum for every separable one.
+///
+/// Catches: a method whose mark in the list leaves it out on systems for which it is a method; a
+/// system that finds fewer methods than suit it.
+#[test]
+fn a_method_is_found_on_every_system_that_it_suits() {
+    fn is_found<S: ByName>(system: &str, suit: &[(&str, bool)]) {
+        assert_eq!(suit.len(), METHODS.len());
+        for &(module, suits) in suit {
+            let found = S::method_named(&module.replace('_', "-")).is_some();
+            assert_eq!(found, suits, "{module} on the system {system}");
+        }
+    }
+    macro_rules! is_found {
+        ($($System:ty),+) => {
+            $(is_found::<$System>(
+                stringify!($System),
+                pendula::for_each_method!(suit, => $System),
+            );)+
+        };
+    }
+    is_found!(Pendulum, Compensated<Pendulum>, Damped, Driven, Shaken, DoublePendulum);
 }
 
 /// The table on the documentation page of the methods, generated from their entries.
