@@ -48,7 +48,6 @@
 //! * `registry`: methods that are chosen at run time.
 //! * [`fast`]: the same steps at full speed, for one pendulum and for many.
 //! * [`adaptive`]: steps whose size follows the motion.
-//! * [`dynamics`]: periodic orbits, Floquet multipliers, Lyapunov exponents.
 //! * [`arithmetic`]: sine and cosine, and double-double numbers.
 //! * [`error`]: the errors.
 //!
@@ -93,7 +92,6 @@ extern crate alloc;
 
 pub mod adaptive;
 pub mod arithmetic;
-pub mod dynamics;
 pub mod error;
 pub mod exact;
 pub mod fast;

@@ -2,7 +2,6 @@
 
 use crate::arithmetic::sine::{cos, half_turn, sin};
 use crate::error::{Error, not_negative};
-use crate::systems::linearised::{Linearised, size};
 use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 
 /// The pendulum with friction in proportion to its velocity, θ̈ + 2β θ̇ + ω₀² sin θ = 0 with ω₀² =
@@ -88,13 +87,6 @@ impl Damped {
     pub(super) fn kick_by(&self, z: Phase, alpha: f64, h: f64) -> Phase {
         Phase { omega: slowed(z.omega, alpha, 2.0 * self.damping, h), ..z }
     }
-
-    /// The derivative of [`System::rate`] along `v`; a drive does not change it.
-    #[inline]
-    pub(super) fn tangent_at(&self, z: Phase, v: Phase) -> Phase {
-        let restoring = self.pendulum.frequency_squared() * cos(z.theta) * v.theta;
-        Phase { theta: v.omega, omega: -restoring - 2.0 * self.damping * v.omega }
-    }
 }
 
 // ANCHOR: slowed
@@ -135,16 +127,5 @@ impl Separable for Damped {
     #[inline]
     fn drift(&self, z: Phase, h: f64) -> Phase {
         self.pendulum.drift(z, h)
-    }
-}
-
-impl Linearised for Damped {
-    #[inline]
-    fn tangent(&self, _t: f64, z: Phase, v: Phase) -> Phase {
-        self.tangent_at(z, v)
-    }
-
-    fn size(&self, v: Phase) -> f64 {
-        size(v, self.pendulum.small_angle_frequency())
     }
 }

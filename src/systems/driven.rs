@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use super::Damped;
 use crate::arithmetic::sine::cos;
 use crate::error::{self, Error, finite};
-use crate::systems::{Linearised, Pendulum, Phase, Separable, System};
+use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// The damped pendulum under a periodic torque, θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt.
 ///
@@ -111,17 +111,5 @@ impl Separable for Driven {
     #[inline]
     fn drift(&self, z: Phase, h: f64) -> Phase {
         self.damped.drift(z, h)
-    }
-}
-
-impl Linearised for Driven {
-    /// The drive does not depend on the state and drops out of the derivative.
-    #[inline]
-    fn tangent(&self, _t: f64, z: Phase, v: Phase) -> Phase {
-        self.damped.tangent_at(z, v)
-    }
-
-    fn size(&self, v: Phase) -> f64 {
-        self.damped.size(v)
     }
 }

@@ -4,7 +4,6 @@ use core::f64::consts::PI;
 
 use crate::arithmetic::sine::{cos, half_turn};
 use crate::error::{self, Error, finite, not_negative};
-use crate::systems::linearised::{Linearised, size};
 use crate::systems::{Pendulum, Phase, Separable, System};
 
 /// Kapitza's pendulum: its pivot moves up and down as a cos Ωt, so that the weight feels g − aΩ²
@@ -91,9 +90,9 @@ impl Shaken {
         }
     }
 
-    /// (g − aΩ² cos Ωt)/L (1/s²).
+    /// (g − aΩ² cos Ωt)/L at time `t` (s), in 1/s².
     #[inline]
-    fn frequency_squared(&self, t: f64) -> f64 {
+    pub fn frequency_squared(&self, t: f64) -> f64 {
         self.pendulum.frequency_squared() - self.shaking * cos(self.frequency * t)
     }
 }
@@ -123,16 +122,5 @@ impl Separable for Shaken {
     #[inline]
     fn drift(&self, z: Phase, h: f64) -> Phase {
         self.pendulum.drift(z, h)
-    }
-}
-
-impl Linearised for Shaken {
-    #[inline]
-    fn tangent(&self, t: f64, z: Phase, v: Phase) -> Phase {
-        Phase { theta: v.omega, omega: -self.frequency_squared(t) * cos(z.theta) * v.theta }
-    }
-
-    fn size(&self, v: Phase) -> f64 {
-        size(v, self.pendulum.small_angle_frequency())
     }
 }

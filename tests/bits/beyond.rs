@@ -3,14 +3,14 @@
 use std::f64::consts::PI;
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
 use pendula::systems::{Ellipse, Joint, Numbers, PlanePhase};
 use pendula::{
     Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Pendulum, Phase,
     Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
+use pendula_curves::dynamics::lyapunov::Watch;
+use pendula_curves::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
 
 use crate::Hash;
 

@@ -51,7 +51,7 @@ struct Tally {
 impl Tally {
     /// The tally of `scenes` scenes of the sequence `seed`. A scene that fails says which it was.
     fn of(scenes: u64, seed: u64) -> Self {
-        const PARTS: [fn(&mut Any, &mut Tally); 14] = [
+        const PARTS: [fn(&mut Any, &mut Tally); 13] = [
             motions::a_pendulum,
             motions::a_grid,
             loops::a_run,
@@ -64,7 +64,6 @@ impl Tally {
             beyond::adaptive_steps,
             beyond::variable_steps,
             beyond::systems_beyond,
-            beyond::dynamics,
             beyond::arithmetic,
         ];
         let mut tally = Self::default();

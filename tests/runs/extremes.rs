@@ -5,16 +5,13 @@ use std::f64::consts::{PI, TAU};
 use std::num::{NonZeroU32, NonZeroU64};
 
 use pendula::adaptive::{Adaptive, Tolerance};
-use pendula::dynamics::floquet::monodromy;
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{Monodromy, PeriodicOrbit, Stroboscope, period_doubling, periodic_orbit};
 use pendula::error::MAX_STEPS;
 use pendula::methods::{Dop853, Gauss6, Implicit, Iteration, Rk4};
 use pendula::metrics::EnergyDrift;
 use pendula::registry::InSteps;
 use pendula::{
-    AnyMethod, Driven, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, Pendulum,
-    Phase, integrate_fast, method_named,
+    AnyMethod, Error, Grid, Hamiltonian, LinearOscillator, METHODS, Motion, Pendulum, Phase,
+    integrate_fast, method_named,
 };
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
@@ -313,39 +310,16 @@ fn a_processor_takes_steps_of_any_length(#[case] name: &str) {
 /// A count of none, the smallest ones, those about the limits, and the largest.
 const COUNTS: [u64; 8] = [0, 1, 2, u32::MAX as u64, 1 << 32, MAX_STEPS, MAX_STEPS + 1, u64::MAX];
 
-/// Catches: a count out of range accepted, or rounded to another on its way to an f64; a step of
-/// zero out of a period and its number of steps; a refusal that does not say what is allowed.
+/// Catches: a count out of range accepted, or rounded to another on its way to an f64; a refusal
+/// that does not say what is allowed.
 #[test]
 fn a_count_out_of_range_is_refused() {
-    let driven = Driven::taylor(1.07).unwrap();
     for count in COUNTS {
         let grid =
             Grid::new(0.5, count).map(|grid| (grid.steps(), grid.samples(), grid.time(count)));
         let refused = Err(Error::TooManySteps { steps: count as f64 });
         let expected = (count, count.saturating_add(1), 0.5 * count as f64);
         assert_eq!(grid, if count <= MAX_STEPS { Ok(expected) } else { refused });
-
-        for period in [5e-324, 1e-300, 1.0, 1e308] {
-            let strobe = Stroboscope::new(&driven, &Rk4, period, count);
-            let fits = (1..=MAX_STEPS).contains(&count) && period / count as f64 > 0.0;
-            assert_eq!(strobe.is_ok(), fits, "{period:e} s in {count} steps: {strobe:?}");
-            let Ok(strobe) = strobe else { continue };
-            // Of a period among subnormal numbers a step has few digits.
-            let right = (strobe.period() / period - 1.0).abs() < 1e-15 || period < 1e-299;
-            assert!(right && strobe.period() > 0.0, "{strobe:?}");
-        }
-        assert!(Stroboscope::new(&driven, &Rk4, f64::NAN, count).is_err());
-    }
-    let most = u32::MAX;
-    for (settling, blocks, periods, fits) in [
-        (0, 2, 1, true),
-        (most, most, most, true),
-        (0, 0, 1, false),
-        (0, 1, most, false),
-        (most, most, 0, false),
-    ] {
-        let watch = Watch::new(settling, blocks, periods);
-        assert_eq!(watch.is_ok(), fits, "{watch:?}");
     }
 }
 
@@ -405,28 +379,6 @@ fn attempts_and_sweeps_are_limited_as_asked_for() {
     let enough = with(100).unwrap();
     assert_eq!([with(u32::MAX), with(u32::MAX - 1)], [Ok(enough); 2]);
     assert!(matches!(with(1), Err(Error::NotSolved { n: 0, sweeps: 1, .. })), "{:?}", with(1));
-}
-
-/// Catches: a division by no paces, an orbit of no periods for one that returns.
-#[test]
-fn without_a_period_or_a_pace_there_is_no_orbit() {
-    let driven = Driven::taylor(1.07).unwrap();
-    let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), 20).unwrap();
-    let point = Phase { theta: 0.3, omega: -0.1 };
-    assert_eq!(periodic_orbit(&strobe, point, 0), None);
-    let (end, same) = monodromy(&strobe, point, 0);
-    assert_eq!((end, same.determinant(), same.trace()), (point, 1.0, 2.0));
-    let mut asked = 0;
-    let mut orbit = |_, point| {
-        asked += 1;
-        let units = [Phase { theta: -1.0, omega: 0.0 }, Phase { theta: 0.0, omega: -1.0 }];
-        let monodromy = Monodromy { of_theta: units[0], of_omega: units[1] };
-        Some(PeriodicOrbit { point, periods: 1, monodromy })
-    };
-    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), 0), None);
-    // It is at its doubling where it begins.
-    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), u32::MAX), Some(1.0));
-    assert!(asked < 10, "{asked}");
 }
 
 // -------------------------------------------------------------------------------------------------

@@ -3,13 +3,12 @@
 
 use std::cell::RefCell;
 
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{Bundle, Stroboscope, largest_exponent, periodic_orbit};
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::systems::Linearised;
 use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, System, integrate};
 use pendula_judge::properties::driven::{Pushed, check, check_euler};
 use pendula_judge::properties::near;
+use pendula_study::dynamics::lyapunov::Watch;
+use pendula_study::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit};
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };

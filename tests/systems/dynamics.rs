@@ -1,9 +1,54 @@
-//! What the dynamics of driven systems are computed with: the zero of a function, and what follows
-//! from the monodromy matrix of a periodic orbit, on matrices made by hand.
+//! What the dynamics of driven systems are computed with: the derivative of a rate; the zero of a
+//! function; and what follows from the monodromy matrix of a periodic orbit, on matrices made by
+//! hand. And all of it at the limits of f64, and with any numbers.
 
-use pendula::Phase;
-use pendula::dynamics::{Monodromy, PeriodicOrbit, period_doubling, root};
-use pendula_judge::properties::near;
+use pendula::error::MAX_STEPS;
+use pendula::{Damped, Driven, Error, Phase, Rk4, Shaken};
+use pendula_judge::properties::{near, pendulum};
+use pendula_study::dynamics::floquet::monodromy;
+use pendula_study::dynamics::lyapunov::Watch;
+use pendula_study::dynamics::{
+    Linearised, Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling,
+    periodic_orbit, root,
+};
+
+use crate::common::Random;
+
+// -------------------------------------------------------------------------------------------------
+// Tangents
+// -------------------------------------------------------------------------------------------------
+
+/// Compares the tangent along `v` with the central difference of the rate, which is off by ε²/6
+/// times a third derivative of the restoring force, up to 2.5 |v|³ = 6, and by a rounding of that
+/// force over ε: 1e-10 and 1e-11.
+fn check(system: &impl Linearised<State = Phase>) {
+    const EPSILON: f64 = 1e-5;
+    for z in [Phase { theta: 0.7, omega: -1.3 }, Phase { theta: 2.6, omega: 0.4 }] {
+        for v in [Phase { theta: 0.3, omega: -0.8 }, Phase { theta: -1.4, omega: 0.2 }] {
+            for t in [0.0, 0.37] {
+                let tangent = system.tangent(t, z, v);
+                let ahead = system.rate(t, z + v * EPSILON);
+                let behind = system.rate(t, z + v * -EPSILON);
+                let off = tangent + (ahead + behind * -1.0) * (-0.5 / EPSILON);
+                // With a margin of 10.
+                assert!(off.theta.abs() < 1e-9 && off.omega.abs() < 1e-9, "{z:?}, {v:?}: {off:?}");
+            }
+        }
+    }
+    // √(θ² + ω²/ω₀²), where ω²/ω₀² is 4 up to rounding.
+    let size = system.size(Phase { theta: 1.5, omega: 10.0_f64.sqrt() });
+    assert!((size - 2.5).abs() < 1e-15, "{size}");
+}
+
+/// Catches: a missing term, a derivative at the wrong state or time, a tangent that ignores the
+/// length of its direction; a size in other units.
+#[test]
+fn the_tangent_is_the_derivative_of_the_rate() {
+    let damped = Damped::new(pendulum(), 0.4).unwrap();
+    check(&damped);
+    check(&Driven::new(damped, 0.9, 1.1).unwrap());
+    check(&Shaken::new(pendulum(), 0.3, 2.2).unwrap());
+}
 
 // -------------------------------------------------------------------------------------------------
 // Zeros
@@ -164,4 +209,152 @@ fn an_orbit_is_looked_for_near_the_last_one() {
         let [(last, _), (_, guess)] = pair else { unreachable!() };
         assert_eq!(*guess, Phase::at_rest(*last));
     }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Limits
+// -------------------------------------------------------------------------------------------------
+
+/// Catches: a count out of range accepted; a step of zero out of a period and its number of steps;
+/// a refusal of what is in range.
+#[test]
+fn a_count_out_of_range_is_refused() {
+    let driven = Driven::taylor(1.07).unwrap();
+    // None, the smallest ones, those about the limits, and the largest.
+    for count in [0, 1, 2, u32::MAX.into(), 1 << 32, MAX_STEPS, MAX_STEPS + 1, u64::MAX] {
+        for period in [5e-324, 1e-300, 1.0, 1e308] {
+            let strobe = Stroboscope::new(&driven, &Rk4, period, count);
+            let fits = (1..=MAX_STEPS).contains(&count) && period / count as f64 > 0.0;
+            assert_eq!(strobe.is_ok(), fits, "{period:e} s in {count} steps: {strobe:?}");
+            let Ok(strobe) = strobe else { continue };
+            // Of a period among subnormal numbers a step has few digits.
+            let right = (strobe.period() / period - 1.0).abs() < 1e-15 || period < 1e-299;
+            assert!(right && strobe.period() > 0.0, "{strobe:?}");
+        }
+        assert!(Stroboscope::new(&driven, &Rk4, f64::NAN, count).is_err());
+    }
+    let most = u32::MAX;
+    for (settling, blocks, periods, fits) in [
+        (0, 2, 1, true),
+        (most, most, most, true),
+        (0, 0, 1, false),
+        (0, 1, most, false),
+        (most, most, 0, false),
+    ] {
+        let watch = Watch::new(settling, blocks, periods);
+        assert_eq!(watch.is_ok(), fits, "{watch:?}");
+    }
+}
+
+/// Catches: a division by no paces, an orbit of no periods for one that returns.
+#[test]
+fn without_a_period_or_a_pace_there_is_no_orbit() {
+    let driven = Driven::taylor(1.07).unwrap();
+    let strobe = Stroboscope::new(&driven, &Rk4, driven.period(), 20).unwrap();
+    let point = Phase { theta: 0.3, omega: -0.1 };
+    assert_eq!(periodic_orbit(&strobe, point, 0), None);
+    let (end, same) = monodromy(&strobe, point, 0);
+    assert_eq!((end, same.determinant(), same.trace()), (point, 1.0, 2.0));
+    let mut asked = 0;
+    let mut orbit = |_, point| {
+        asked += 1;
+        let units = [Phase { theta: -1.0, omega: 0.0 }, Phase { theta: 0.0, omega: -1.0 }];
+        let monodromy = Monodromy { of_theta: units[0], of_omega: units[1] };
+        Some(PeriodicOrbit { point, periods: 1, monodromy })
+    };
+    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), 0), None);
+    // It is at its doubling where it begins.
+    assert_eq!(period_doubling(&mut orbit, point, (1.0, 2.0), u32::MAX), Some(1.0));
+    assert!(asked < 10, "{asked}");
+}
+
+// -------------------------------------------------------------------------------------------------
+// Any numbers
+// -------------------------------------------------------------------------------------------------
+
+/// As in `tests/runs/anything.rs`: what is asked for with any numbers is refused with an error of
+/// one line, or what comes out is finite.
+///
+/// Catches: a panic, a loop without an end; a number out of range accepted and NaN later.
+#[test]
+fn a_thousand_scenes_are_sound_or_refused() {
+    for seed in 0..1000 {
+        scene(&mut Random::new(seed));
+    }
+}
+
+/// What came out, if it was not refused.
+fn accepted<T>(result: Result<T, Error>) -> Option<T> {
+    result
+        .inspect_err(|error| {
+            let text = error.to_string();
+            assert!(!text.is_empty() && !text.contains('\n'), "{text}");
+        })
+        .ok()
+}
+
+/// Any number greater than zero and finite.
+fn positive(any: &mut Random) -> f64 {
+    loop {
+        let number = any.number().abs();
+        if number > 0.0 && number.is_finite() {
+            return number;
+        }
+    }
+}
+
+fn phase(any: &mut Random) -> Phase {
+    Phase { theta: any.number(), omega: any.number() }
+}
+
+fn scene(any: &mut Random) {
+    // A change of sign at any place in any bracket is found to the last bit.
+    let (low, high, zero) = (any.number(), any.number(), any.number());
+    let [below, above] = [-positive(any), positive(any)];
+    let found = root(|x| Some(if x < zero { below } else { above }), low, high);
+    let (first, last) = (low.min(high), low.max(high));
+    if first < zero && zero <= last && first.is_finite() && last.is_finite() {
+        let found = found.unwrap();
+        let beside = found == zero || found == zero.next_down();
+        let narrow = (found - zero).abs() <= 4.0 * f64::EPSILON * zero.abs();
+        assert!(beside || narrow, "{low:e} {high:e}: {found:e} for {zero:e}");
+    }
+    let mut random = any.clone();
+    root(|_| Some(f64::from_bits(random.bits())), low, high);
+    let third = |x: f64| Some(x * x * x - zero);
+    root(third, low, high);
+
+    if let Some(watch) = accepted(Watch::new(1, any.below(4) as u32, any.below(3) as u32)) {
+        let driven = Driven::taylor(any.between(0.0, 2.0)).unwrap();
+        let strobe = Stroboscope::new(&driven, &Rk4, 1.0, 20).unwrap();
+        let start = Phase { theta: any.between(-3.0, 3.0), omega: 0.0 };
+        let exponent = largest_exponent(&strobe, start, watch);
+        assert!(exponent.value.is_finite() && exponent.error.is_finite(), "{watch:?} {exponent:?}");
+    }
+    let driven = Driven::taylor(any.between(0.0, 2.0)).unwrap();
+    let steps = any.below(8) as u64;
+    let Some(strobe) = accepted(Stroboscope::new(&driven, &Rk4, any.number(), steps)) else {
+        return;
+    };
+    assert!(strobe.period() > 0.0 && strobe.period().is_finite());
+    let (point, periods) = (phase(any), any.below(3) as u32);
+    strobe.map(point);
+    driven.size(driven.tangent(any.number(), point, phase(any)));
+    let (_, matrix) = monodromy(&strobe, point, periods);
+    matrix.largest_modulus();
+    if let Some(orbit) = periodic_orbit(&strobe, point, periods) {
+        assert!(orbit.point.theta.is_finite() && orbit.point.omega.is_finite());
+    }
+    let paces = any.below(4) as u32;
+    let doubled = period_doubling(
+        |parameter, point| {
+            let unit = Phase { theta: parameter, omega: 0.0 };
+            let monodromy = Monodromy { of_theta: unit, of_omega: point };
+            Some(PeriodicOrbit { point, periods, monodromy })
+        },
+        point,
+        (low, high),
+        paces,
+    );
+    assert!(doubled.is_none_or(|at| !at.is_nan()));
 }

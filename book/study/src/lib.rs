@@ -7,6 +7,7 @@
 //! * [`theory`]: what follows from the equations, without running a method.
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
+//! * [`dynamics`]: periodic orbits and Lyapunov exponents, of `book/curves`.
 //! * [`charts`]: series to SVG, in a crate of their own.
 //! * [`report`]: rows and claims as tables and figures.
 //!
@@ -21,6 +22,7 @@ pub mod report;
 pub mod theory;
 
 pub use pendula_charts as charts;
+pub use pendula_curves::dynamics;
 
 /// The listings of the book's chapters, run as tests.
 #[cfg(doctest)]

@@ -1,17 +1,10 @@
-//! Steps that vary, other systems, their dynamics, and the arithmetic below.
+//! Steps that vary, other systems, and the arithmetic below.
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::arithmetic::sine::{cos, sin};
-use pendula::dynamics::floquet::monodromy;
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{
-    Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
-};
 use pendula::methods::{Dop853, DormandPrince, Gauss6, Rk4, StormerVerlet};
-use pendula::systems::{
-    DoublePendulum, DoublePhase, Ellipse, Joint, Kepler, Linearised, PlanePhase, Shaken,
-};
+use pendula::systems::{DoublePendulum, DoublePhase, Ellipse, Joint, Kepler, PlanePhase, Shaken};
 use pendula::{
     Damped, Driven, Grid, Hamiltonian, LinearOscillator, Pendulum, Phase, Separable, System,
     integrate,
@@ -106,7 +99,6 @@ pub fn systems_beyond(any: &mut Any, tally: &mut Tally) {
         damped.power(z);
         damped.kick(z, any.number(), any.number());
         integrate(&damped, &StormerVerlet, z, &grid, &mut ());
-        damped.size(damped.tangent(t, z, any.phase()));
     }
     let damped = damped.unwrap_or_else(|| Damped::new(pendulum, 0.0).unwrap());
     if let Some(driven) = tally.accepted(Driven::new(damped, any.number(), any.number())) {
@@ -159,63 +151,6 @@ pub fn systems_beyond(any: &mut Any, tally: &mut Tally) {
         double.energy(state);
         integrate(&double, &Gauss6, state, &Grid::new(any.positive(), 3).unwrap_or(grid), &mut ());
     }
-}
-
-// -------------------------------------------------------------------------------------------------
-// Dynamics
-// -------------------------------------------------------------------------------------------------
-
-pub fn dynamics(any: &mut Any, tally: &mut Tally) {
-    tally.computed += 1;
-    // A change of sign at any place in any bracket is found to the last bit.
-    let (low, high, zero) = (any.number(), any.number(), any.number());
-    let [below, above] = [-any.positive(), any.positive()];
-    let found = root(|x| Some(if x < zero { below } else { above }), low, high);
-    let (first, last) = (low.min(high), low.max(high));
-    if first < zero && zero <= last && first.is_finite() && last.is_finite() {
-        let found = found.unwrap();
-        let beside = found == zero || found == zero.next_down();
-        let narrow = (found - zero).abs() <= 4.0 * f64::EPSILON * zero.abs();
-        assert!(beside || narrow, "{low:e} {high:e}: {found:e} for {zero:e}");
-    }
-    let mut random = any.0.clone();
-    root(|_| Some(f64::from_bits(random.bits())), low, high);
-    let third = |x: f64| Some(x * x * x - zero);
-    root(third, low, high);
-
-    if let Some(watch) = tally.accepted(Watch::new(1, any.0.below(4) as u32, any.0.below(3) as u32))
-    {
-        let driven = Driven::taylor(any.0.between(0.0, 2.0)).unwrap();
-        let strobe = Stroboscope::new(&driven, &Rk4, 1.0, 20).unwrap();
-        let start = Phase { theta: any.0.between(-3.0, 3.0), omega: 0.0 };
-        let exponent = largest_exponent(&strobe, start, watch);
-        assert!(exponent.value.is_finite() && exponent.error.is_finite(), "{watch:?} {exponent:?}");
-    }
-    let driven = Driven::taylor(any.0.between(0.0, 2.0)).unwrap();
-    let steps = any.0.below(8) as u64;
-    let Some(strobe) = tally.accepted(Stroboscope::new(&driven, &Rk4, any.number(), steps)) else {
-        return;
-    };
-    assert!(strobe.period() > 0.0 && strobe.period().is_finite());
-    let (point, periods) = (any.phase(), any.0.below(3) as u32);
-    strobe.map(point);
-    let (_, matrix) = monodromy(&strobe, point, periods);
-    matrix.largest_modulus();
-    if let Some(orbit) = periodic_orbit(&strobe, point, periods) {
-        assert!(is_finite(orbit.point));
-    }
-    let paces = any.0.below(4) as u32;
-    let doubled = period_doubling(
-        |parameter, point| {
-            let unit = Phase { theta: parameter, omega: 0.0 };
-            let monodromy = Monodromy { of_theta: unit, of_omega: point };
-            Some(PeriodicOrbit { point, periods, monodromy })
-        },
-        point,
-        (low, high),
-        paces,
-    );
-    assert!(doubled.is_none_or(|at| !at.is_nan()));
 }
 
 // -------------------------------------------------------------------------------------------------

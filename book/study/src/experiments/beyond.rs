@@ -6,17 +6,17 @@
 
 use core::f64::consts::{PI, SQRT_2};
 
-use pendula::dynamics::floquet::{PeriodicOrbit, monodromy};
-use pendula::dynamics::lyapunov::Watch;
-use pendula::dynamics::{
-    Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
-};
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
 use pendula::systems::{
     DoublePendulum, DoublePhase, Driven, Ellipse, Joint, Kepler, Mathieu, PlanePhase, Shaken,
 };
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
+use pendula_curves::dynamics::floquet::{PeriodicOrbit, monodromy};
+use pendula_curves::dynamics::lyapunov::Watch;
+use pendula_curves::dynamics::{
+    Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
+};
 
 use crate::digits::Digits;
 use crate::theory::other_systems::{a0, b1, verlet_precession};

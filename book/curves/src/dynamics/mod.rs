@@ -1,6 +1,7 @@
 //! The analysis of driven systems: the long-term behaviour of a motion, and its response to small
 //! changes.
 //!
+//! * [`linearised`]: systems that know the derivative of their rate of change.
 //! * [`variation`]: neighbours of a trajectory, by the variational equation.
 //! * [`stroboscope`]: a periodically driven system sampled once a period; a map of its phase space.
 //! * [`floquet`]: periodic orbits by Newton's method, their monodromy matrix, and where they double
@@ -12,8 +13,8 @@
 //! neighbours.
 //!
 //! ```
-//! use pendula::dynamics::{Stroboscope, periodic_orbit};
 //! use pendula::{Driven, Phase, Rk4};
+//! use pendula_curves::dynamics::{Stroboscope, periodic_orbit};
 //!
 //! // Driven a little, a damped pendulum ends up swinging with the drive.
 //! let driven = Driven::taylor(0.5)?;
@@ -27,13 +28,27 @@
 //! ```
 
 pub mod floquet;
+pub mod linearised;
 pub mod lyapunov;
 pub mod root;
 pub mod stroboscope;
 pub mod variation;
 
 pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
+pub use linearised::Linearised;
 pub use lyapunov::{Exponent, largest_exponent};
 pub use root::root;
 pub use stroboscope::Stroboscope;
 pub use variation::{Bundle, Variational};
+
+use pendula::Error;
+
+/// The error of a count that is less than `least`.
+fn at_least(
+    least: f64,
+    name: &'static str,
+    value: f64,
+    allowed: &'static str,
+) -> Result<(), Error> {
+    if value >= least { Ok(()) } else { Err(Error::Parameter { name, value, allowed }) }
+}

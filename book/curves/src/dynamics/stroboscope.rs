@@ -1,9 +1,10 @@
 //! A periodically driven system, sampled once a period.
 
+use pendula::{Error, Grid, Method, Phase, System, integrate};
+
+use super::at_least;
+use super::linearised::Linearised;
 use super::variation::{Bundle, Variational};
-use crate::error::{Error, checked, positive};
-use crate::integrate::{Grid, Method, integrate};
-use crate::systems::{Linearised, Phase, System};
 
 /// The stroboscopic map, which is the Poincaré map of a driven system: from the state at the
 /// beginning of a period of the drive to the state at its end.
@@ -24,8 +25,11 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
     /// [`Error::Parameter`] for a period that is not finite and positive, and for zero steps;
     /// [`Error::TooManySteps`].
     pub fn new(system: &'a S, method: &'a M, period: f64, steps: u64) -> Result<Self, Error> {
-        let period = positive("period (s)", period)?;
-        checked("steps a period", steps as f64, steps >= 1, "at least 1")?;
+        let (name, allowed) = ("period (s)", "finite and greater than zero");
+        if !(period.is_finite() && period > 0.0) {
+            return Err(Error::Parameter { name, value: period, allowed });
+        }
+        at_least(1.0, "steps a period", steps as f64, "at least 1")?;
         Ok(Self { system, method, grid: Grid::new(period / steps as f64, steps)? })
     }
 

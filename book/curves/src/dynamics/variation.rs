@@ -3,7 +3,9 @@
 use core::array::from_fn;
 use core::ops::{Add, Mul};
 
-use crate::systems::{Linearised, RateOf, State, System, Vector};
+use pendula::{RateOf, State, System, Vector};
+
+use super::linearised::Linearised;
 
 /// A system together with N infinitesimal displacements: a system too, which any method for systems
 /// can step.

@@ -1,10 +1,11 @@
 //! Periodic orbits of driven systems, and whether they attract.
 
+use pendula::{Method, Phase};
+
+use super::linearised::Linearised;
 use super::root::root;
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Variational};
-use crate::integrate::Method;
-use crate::systems::{Linearised, Phase};
 
 /// The monodromy matrix: the linear map of small displacements from an orbit over its period, by
 /// its two columns.
