@@ -3,7 +3,7 @@
 use core::ops::{Add, Mul};
 
 use crate::arithmetic::number::Number;
-use crate::systems::{Numbers, Vector};
+use crate::systems::Vector;
 
 /// The number `sum` + `factor` · `series`, in which `series` is ready last.
 ///
@@ -77,18 +77,3 @@ impl<N: Number> Mul<f64> for Deferred<N> {
 // ANCHOR_END: deferred
 
 impl<N: Number> Vector for Deferred<N> {}
-
-impl<N: Number> Numbers<N> for Deferred<N> {
-    const COUNT: usize = 3;
-
-    #[inline(always)]
-    fn write(self, write: &mut impl FnMut(N)) {
-        let Self { sum, factor, series } = self;
-        [sum, factor, series].into_iter().for_each(write);
-    }
-
-    #[inline(always)]
-    fn read(next: &mut impl FnMut() -> N) -> Self {
-        Self { sum: next(), factor: next(), series: next() }
-    }
-}

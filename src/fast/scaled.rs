@@ -17,8 +17,8 @@ use crate::arithmetic::sine::half_turn::{
 use crate::arithmetic::sine::{ROUNDER, sinc};
 use crate::integrate::{Grid, Method};
 use crate::systems::{
-    Analytic, Components, ForceGradient, MeanForce, Measurable, NearlyLinear, Numbers, Pendulum,
-    Phase, Processor, RateOf, Separable, State, System, Vector, growth, terms,
+    Analytic, Components, ForceGradient, MeanForce, Measurable, NearlyLinear, Pendulum, Phase,
+    Processor, RateOf, Separable, State, System, Vector, growth, terms,
 };
 
 /// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
@@ -37,19 +37,22 @@ pub struct ScaledPendulum<N = f64> {
 #[doc(hidden)]
 pub struct ReducedPhase<N = f64> {
     /// The remainder of the angle (rad).
-    pub(crate) rest: N,
+    pub rest: N,
     /// 1.5 · 2⁵² + n for n half turns: the lowest bit is that of n, and says whether the sine
     /// changes sign.
-    pub(crate) turns: N,
-    pub(crate) velocity: Deferred<N>,
+    pub turns: N,
+    /// The velocity (rad a step).
+    pub velocity: Deferred<N>,
 }
 
 /// A displacement of the state, or its rate of change.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct ReducedRate<N = f64> {
-    pub(crate) angle: Deferred<N>,
-    pub(crate) velocity: Deferred<N>,
+    /// That of the angle (rad).
+    pub angle: Deferred<N>,
+    /// That of the velocity (rad a step).
+    pub velocity: Deferred<N>,
 }
 
 impl ScaledPendulum {
@@ -222,37 +225,6 @@ impl<N: Many> Measurable for ReducedPhase<N> {
         } else {
             Self { velocity: (velocity * factor).into(), ..self }
         }
-    }
-}
-
-impl<N: Number> Numbers<N> for ReducedPhase<N> {
-    const COUNT: usize = 2 + Deferred::<N>::COUNT;
-
-    #[inline(always)]
-    fn write(self, write: &mut impl FnMut(N)) {
-        write(self.rest);
-        write(self.turns);
-        self.velocity.write(write);
-    }
-
-    #[inline(always)]
-    fn read(next: &mut impl FnMut() -> N) -> Self {
-        Self { rest: next(), turns: next(), velocity: Deferred::read(next) }
-    }
-}
-
-impl<N: Number> Numbers<N> for ReducedRate<N> {
-    const COUNT: usize = 2 * Deferred::<N>::COUNT;
-
-    #[inline(always)]
-    fn write(self, write: &mut impl FnMut(N)) {
-        self.angle.write(write);
-        self.velocity.write(write);
-    }
-
-    #[inline(always)]
-    fn read(next: &mut impl FnMut() -> N) -> Self {
-        Self { angle: Deferred::read(next), velocity: Deferred::read(next) }
     }
 }
 

@@ -4,8 +4,8 @@ use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
 use crate::systems::{
-    Analytic, Components, ForceGradient, Hamiltonian, MeanForce, NearlyLinear, Numbers, Phase,
-    Processor, RateOf, Separable, State, System,
+    Analytic, Components, ForceGradient, Hamiltonian, MeanForce, NearlyLinear, Phase, Processor,
+    RateOf, Separable, State, System,
 };
 
 /// A wrapper: the same system, with a state that carries its rounding errors, so that every method
@@ -62,19 +62,6 @@ impl Add<Phase> for CompensatedPhase {
 
 impl State for CompensatedPhase {
     type Displacement = Phase;
-}
-
-impl Numbers for CompensatedPhase {
-    const COUNT: usize = 2 * <Phase as Numbers>::COUNT;
-
-    fn write(self, write: &mut impl FnMut(f64)) {
-        self.phase.write(write);
-        self.lost.write(write);
-    }
-
-    fn read(next: &mut impl FnMut() -> f64) -> Self {
-        Self { phase: Phase::read(next), lost: Phase::read(next) }
-    }
 }
 
 impl Components for CompensatedPhase {

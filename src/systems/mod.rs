@@ -104,5 +104,5 @@ pub(crate) use pendulum::angle;
 pub use pendulum::{LARGEST_ANGLE, Pendulum, energy_in_lanes};
 pub(crate) use pendulum_series::{growth, terms};
 pub use shaken::{Mathieu, Shaken};
-pub use state::{Component, Components, Measurable, Numbers, Phase, State, Vector};
+pub use state::{Component, Components, Measurable, Phase, State, Vector};
 pub use system::{Counting, Hamiltonian, RateOf, Separable, System};

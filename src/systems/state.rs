@@ -150,48 +150,6 @@ impl<Z: Components> Measurable for Z {
 }
 
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be taken apart into numbers",
-    note = "a run behind a pointer does so; `pendula::state!` makes a state for it, or implement \
-            `pendula::systems::Numbers` for it"
-)]
-/// What can be taken apart into numbers and put together again with the same bits: a state, or what
-/// a step carries to the next.
-pub trait Numbers<N = f64>: Copy {
-    /// How many numbers it has.
-    const COUNT: usize;
-
-    /// Passes its numbers to `write`, one after the other.
-    fn write(self, write: &mut impl FnMut(N));
-
-    /// Puts it together from the numbers that [`write`](Numbers::write) passed on, in their order.
-    fn read(next: &mut impl FnMut() -> N) -> Self;
-}
-
-impl<N> Numbers<N> for () {
-    const COUNT: usize = 0;
-
-    #[inline]
-    fn write(self, _write: &mut impl FnMut(N)) {}
-
-    #[inline]
-    fn read(_next: &mut impl FnMut() -> N) -> Self {}
-}
-
-impl<N: Number> Numbers<N> for N {
-    const COUNT: usize = 1;
-
-    #[inline(always)]
-    fn write(self, write: &mut impl FnMut(N)) {
-        write(self);
-    }
-
-    #[inline(always)]
-    fn read(next: &mut impl FnMut() -> N) -> Self {
-        next()
-    }
-}
-
-#[diagnostic::on_unimplemented(
     message = "`{Self}` is no component of a state",
     note = "components are `f64` and arrays of them, `[f64; 6]` or `[[f64; 3]; 2]`: a state is \
             copied, and `Vec` cannot be"
@@ -469,20 +427,6 @@ macro_rules! state_operations {
                         &mut each,
                     ),)+
                 }
-            }
-        }
-
-        impl<$($generics)*> $crate::systems::Numbers for $State<$($N)*> {
-            const COUNT: usize = 0 $(+ <$Component as $crate::systems::Component>::COUNT)+;
-
-            #[inline]
-            fn write(self, write: &mut impl FnMut(f64)) {
-                $crate::Components::for_each_component(self, self, self, |x, _, _| write(x));
-            }
-
-            #[inline]
-            fn read(next: &mut impl FnMut() -> f64) -> Self {
-                $crate::Components::map_components(Self::default(), |_| next())
             }
         }
     };

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
-use pendula::systems::{Ellipse, Joint, Numbers, PlanePhase};
+use pendula::systems::{Ellipse, Joint, PlanePhase};
 use pendula::{
-    Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method, Pendulum, Phase,
-    Rk4, Separable, Shaken, StormerVerlet, System, integrate,
+    Components, Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method,
+    Pendulum, Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
@@ -17,17 +17,17 @@ use crate::Hash;
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))
 where
-    S: System<State: Numbers>,
+    S: System<State: Components>,
     M: Method<S>,
 {
     let grid = Grid::new(step, steps).expect("a positive step");
-    integrate(system, method, start, &grid, &mut |_: u64, _: f64, z| hash.add(z));
+    integrate(system, method, start, &grid, &mut |_: u64, _: f64, z| hash.add_state(z));
 }
 
 /// With an explicit Runge–Kutta method and an implicit one.
 fn of_system<S>(system: &S, start: S::State, along: (f64, u64)) -> Hash
 where
-    S: System<State: Numbers>,
+    S: System<State: Components>,
     Rk4: Method<S>,
     Gauss4: Method<S>,
 {
@@ -40,7 +40,7 @@ where
 /// And with splitting methods.
 fn of_separable<S>(system: &S, start: S::State, along: (f64, u64)) -> u64
 where
-    S: Separable<State: Numbers>,
+    S: Separable<State: Components>,
     Rk4: Method<S>,
     Gauss4: Method<S>,
     StormerVerlet: Method<S>,
@@ -81,7 +81,7 @@ fn kepler() -> Result<u64, Error> {
     let ellipse = Ellipse::new(&centre, 1.2, 0.6)?;
     let mut hash = Hash::new();
     hash.word(of_separable(&centre, ellipse.at(0.0), ALONG));
-    (-1000..1000).for_each(|n| hash.add(ellipse.at(0.037 * f64::from(n))));
+    (-1000..1000).for_each(|n| hash.add_state(ellipse.at(0.037 * f64::from(n))));
     Ok(hash.value())
 }
 
@@ -95,15 +95,15 @@ fn adaptive<M: Controlled<Pendulum>>(method: M) -> Result<u64, Error> {
         while let Some(step) = walk.next() {
             let step = step?;
             hash.add_all([step.end_time(), step.size()]);
-            hash.add(step.end());
+            hash.add_state(step.end());
             let dense = walk.dense(&step);
-            hash.add(dense.after(0.3));
+            hash.add_state(dense.after(0.3));
         }
         let mut crossing = adaptive.steps(&pendulum, START, 0.0, 50.0)?;
         for crossing in crossing.crossings(Direction::Either, |_, z| z.theta) {
             let crossing = crossing?;
             hash.add(crossing.t);
-            hash.add(crossing.z);
+            hash.add_state(crossing.z);
         }
         for counts in [walk.counts(), crossing.counts()] {
             for count in [counts.accepted, counts.rejected, counts.evaluations] {
@@ -123,7 +123,7 @@ fn symmetric_steps() -> Result<u64, Error> {
     for sample in SymmetricSteps::new(&centre, start, 0.01, density_rate)?.take(5_000) {
         let sample = sample?;
         hash.add_all([sample.t, sample.density]);
-        hash.add(sample.z);
+        hash.add_state(sample.z);
     }
     Ok(hash.value())
 }
@@ -145,9 +145,9 @@ fn dynamics() -> Result<u64, Error> {
         periodic_orbit(&strobe, near, 1)
     };
     let first = orbit(1.06, settled(1.06)?).expect("an orbit");
-    hash.add(first.point);
-    hash.add(first.monodromy.of_theta);
-    hash.add(first.monodromy.of_omega);
+    hash.add_state(first.point);
+    hash.add_state(first.monodromy.of_theta);
+    hash.add_state(first.monodromy.of_omega);
     hash.add_all([first.monodromy.determinant(), first.monodromy.largest_modulus()]);
     let doubling = period_doubling(orbit, first.point, (1.06, 1.07), 4);
     hash.add(doubling.expect("a doubling"));

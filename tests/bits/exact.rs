@@ -101,7 +101,7 @@ fn motions() -> u64 {
         let motion = motion.expect("a start in range");
         hash.add_all([motion.modulus(), motion.period().unwrap_or(0.0), motion.horizon()]);
         for t in [-3.7, 0.0, 0.1, 4.9, 1234.5, 1e5] {
-            hash.add(motion.at(t));
+            hash.add_state(motion.at(t));
         }
     }
     hash.value()
@@ -115,7 +115,7 @@ fn series() -> u64 {
         let motion = Motion::new(&pendulum(), start).expect("a start in range");
         let mut states = vec![Phase::default(); times.len()];
         motion.at_each(&times, &mut states);
-        states.into_iter().for_each(|z| hash.add(z));
+        states.into_iter().for_each(|z| hash.add_state(z));
     }
     hash.value()
 }

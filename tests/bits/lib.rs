@@ -8,7 +8,7 @@ mod beyond;
 mod exact;
 mod methods;
 
-use pendula::systems::Numbers;
+use pendula::Components;
 
 /// What is computed, in a few words, and the hash of its bits.
 pub type Line = (String, u64);
@@ -37,15 +37,21 @@ impl Hash {
         self.0 = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
     }
 
-    /// Adds the bits of the numbers that a state consists of, or of one number.
+    /// Adds the bits of a number.
     ///
     /// # Panics
-    /// If one is NaN. Which of its many bit patterns a NaN has is the processor's choice, so that
+    /// If it is NaN. Which of its many bit patterns a NaN has is the processor's choice, so that
     /// scenes with a NaN are of no use here.
-    fn add(&mut self, numbers: impl Numbers) {
-        numbers.write(&mut |x: f64| {
-            assert!(!x.is_nan(), "a NaN");
-            self.word(x.to_bits());
+    fn add(&mut self, x: f64) {
+        assert!(!x.is_nan(), "a NaN");
+        self.word(x.to_bits());
+    }
+
+    /// Adds the numbers that a state consists of.
+    fn add_state(&mut self, z: impl Components) {
+        let _ = z.map_components(|x| {
+            self.add(x);
+            x
         });
     }
 

@@ -4,7 +4,6 @@ use std::num::NonZeroU64;
 
 use pendula::fast::Instructions;
 use pendula::registry::{ByName, in_seconds};
-use pendula::systems::Numbers;
 use pendula::{
     AnyMethod, Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase,
     System, method_named,
@@ -14,15 +13,16 @@ use crate::{Hash, Line, common};
 
 /// The hash of every state of four runs of `steps` steps: swinging, nearly over the top, rotating,
 /// and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
-fn hash<Z: Numbers>(
+fn hash<Z>(
     steps: u64,
+    add: fn(&mut Hash, Z),
     run: impl Fn(&Pendulum, Phase, &Grid, &mut dyn FnMut(u64, f64, Z)),
 ) -> u64 {
     let pendulum = Pendulum::new(9.81, 1.3, 0.7).expect("parameters in range");
     let grid = Grid::new(0.01, steps).expect("a positive step");
     let mut hash = Hash::new();
     for (theta, omega) in [(1.0, 0.0), (3.1, 0.2), (-0.3, 12.0), (1000.5, -1.0)] {
-        run(&pendulum, Phase { theta, omega }, &grid, &mut |_, _, z: Z| hash.add(z));
+        run(&pendulum, Phase { theta, omega }, &grid, &mut |_, _, z: Z| add(&mut hash, z));
     }
     hash.value()
 }
@@ -47,11 +47,11 @@ fn of_ensemble(method: &dyn AnyMethod, instructions: Instructions) -> u64 {
     ensemble.ends(method, &mut ends);
     let mut hashes = vec![Hash::new(); starts.len()];
     let mut watches: Vec<_> =
-        hashes.iter_mut().map(|hash| move |_: u64, _: f64, z: Phase| hash.add(z)).collect();
+        hashes.iter_mut().map(|hash| move |_: u64, _: f64, z: Phase| hash.add_state(z)).collect();
     ensemble.watch(method, NonZeroU64::new(7).expect("seven"), &mut watches);
 
     let mut hash = Hash::new();
-    ends.into_iter().for_each(|z| hash.add(z));
+    ends.into_iter().for_each(|z| hash.add_state(z));
     hashes.into_iter().for_each(|watched| hash.word(watched.value()));
     hash.value()
 }
@@ -91,6 +91,12 @@ fn run<S: System + 'static>(
     assert!(end.is_ok(), "steps short enough for every method");
 }
 
+/// Adds a state and what is still to be added to it.
+fn with_lost(hash: &mut Hash, z: CompensatedPhase) {
+    hash.add_state(z.phase);
+    hash.add_state(z.lost);
+}
+
 /// A line for each method and each of the loops; in lanes for some of each family.
 pub fn lines() -> Vec<Line> {
     let mut lines = Vec::new();
@@ -102,21 +108,21 @@ pub fn lines() -> Vec<Line> {
         let mut line = |how: &str, hash: u64| lines.push((format!("{name} {how}"), hash));
         line(
             "in steps",
-            hash(steps, |pendulum, start, grid, mut watch| {
+            hash(steps, Hash::add_state, |pendulum, start, grid, mut watch| {
                 method.run(pendulum, start, grid, &mut watch);
             }),
         );
         let by_seconds = in_seconds(name).expect("a method of the library");
         line(
             "in seconds",
-            hash(steps, |pendulum, start, grid, mut watch| {
+            hash(steps, Hash::add_state, |pendulum, start, grid, mut watch| {
                 run(pendulum, by_seconds, start, grid, &mut watch);
             }),
         );
         let compensated = Compensated::<Pendulum>::method_named(name).expect("every method");
         line(
             "compensated",
-            hash(5_000, |pendulum, start, grid, mut watch| {
+            hash(5_000, with_lost, |pendulum, start, grid, mut watch| {
                 let start = CompensatedPhase::from(start);
                 run(&Compensated::new(*pendulum), compensated, start, grid, &mut watch);
             }),

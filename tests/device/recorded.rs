@@ -3,8 +3,8 @@
 
 use pendula::arithmetic::number::{Mask, Number};
 use pendula::fast::{ReducedPhase, ScaledPendulum};
-use pendula::systems::Numbers;
 use pendula::{Grid, Method, Pendulum, Phase, StormerVerlet};
+use pendula_device::numbers::Numbers;
 use pendula_device::trace::{Place, Tape, Traced, Value, record};
 
 /// All values of the tape, of a comparison 1 or 0; products are fused with the sum that they are

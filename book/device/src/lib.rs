@@ -11,6 +11,7 @@
 
 mod ensemble;
 pub mod kernel;
+pub mod numbers;
 mod opencl;
 pub mod trace;
 

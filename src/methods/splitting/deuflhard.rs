@@ -4,7 +4,7 @@ use crate::arithmetic::number::Number;
 use crate::arithmetic::sine::{cos, sin};
 use crate::integrate::Method;
 use crate::methods::{Info, MethodInfo};
-use crate::systems::{NearlyLinear, Numbers};
+use crate::systems::NearlyLinear;
 
 /// Deuflhard's method: half a kick by what the force has beyond the linear one, for the pendulum
 /// (g/L) (θ − sin θ); the exact motion of the linear pendulum, a rotation by x = ω₀h; half a kick.
@@ -49,21 +49,6 @@ pub struct Rotating<Z, T = f64> {
     pub ahead: Z,
     /// The length tan(ω₀h/2)/ω₀ (s) of the kick with which a rotation begins and ends.
     pub kick: T,
-}
-
-impl<N: Copy, Z: Numbers<N>> Numbers<N> for Rotating<Z, N> {
-    const COUNT: usize = Z::COUNT + 1;
-
-    #[inline]
-    fn write(self, write: &mut impl FnMut(N)) {
-        self.ahead.write(write);
-        write(self.kick);
-    }
-
-    #[inline]
-    fn read(next: &mut impl FnMut() -> N) -> Self {
-        Self { ahead: Z::read(next), kick: next() }
-    }
 }
 
 /// The longest x = ω₀h of a step that rotates.

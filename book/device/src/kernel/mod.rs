@@ -5,8 +5,7 @@ pub mod steps;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use pendula::systems::Numbers;
-
+use crate::numbers::Numbers;
 use crate::trace::{Place, Tape, Traced, Value, record};
 
 /// A program.

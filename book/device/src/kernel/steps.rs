@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use pendula::fast::{ReducedPhase, ScaledPendulum};
-use pendula::systems::{Numbers, energy_in_lanes};
+use pendula::systems::energy_in_lanes;
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase};
 
 use super::{HEAD, Program, Recording, numbers};
+use crate::numbers::Numbers;
 use crate::trace::{Place, Traced};
 
 /// The kernels, and how many of the buffers each is given.
