@@ -80,6 +80,17 @@ const SHOWN: usize = 3;
 /// The name of [`taylor`] in the table.
 const TAYLOR: &str = "Taylor, order and steps that suit";
 
+/// The distance (s) from any time to the nearest singularity of θ, times √(ω² + g/L), is at least
+/// this, whatever the motion.
+///
+/// With g/L = 1 and t = 0 at the bottom, ω = 2k cn(t) on a swing. The poles of cn are iK' above and
+/// below each pass through the bottom, and nothing else makes θ singular. So the product is
+/// √(t² + K'²) √(4k² cn² t + 1), where |t| ≤ K. It is least, 2.5236, on a swing of 1.65 rad at t =
+/// 1.59. On the separatrix it comes down to 2.83; in a rotation, where ω = 2/k dn(t/k), it is more;
+/// in small swings and fast rotations it grows without bound. The library's test
+/// `no_singularity_is_nearer_than_the_velocity_allows` computes it.
+const RADIUS: f64 = 2.52;
+
 /// The longest step (s), and k of the shortest, a divisor of the duration times 2⁻ᵏ.
 const LONGEST: f64 = 0.5;
 const FINEST: u32 = 16;
@@ -205,9 +216,9 @@ where
 ///
 /// The order is that of the library's [`TaylorSeries`], −ln ε + 2, rounded up to a multiple of 4;
 /// beyond 24 the steps get shorter instead. That series reads the step off its last powers, which
-/// takes as long as half of its powers. Here the caller knows the motion: its radius of convergence
-/// is about 3/√(ω² + g/L), between 2.7 and 4.4 of the root's inverse all along both motions. A step
-/// is the share ε^(1/P) of it, so that what is left out of it is about ε.
+/// takes as long as half of its powers. Here the caller knows that it is a pendulum: its radius of
+/// convergence is at least [`RADIUS`]/√(ω² + g/L), on every motion. A step is the share ε^(1/P) of
+/// that, so that what is left out of it is about ε.
 fn taylor(theta_0: f64, end: f64, tolerance: f64) -> Phase {
     let powers = 2.0 - tolerance.ln();
     match (powers / 4.0).ceil() as u32 {
@@ -224,7 +235,7 @@ where
 {
     let pendulum = Pendulum::PAPER;
     let system = Compensated::new(pendulum);
-    let share = 3.0 * tolerance.powf(1.0 / f64::from(order));
+    let share = RADIUS * tolerance.powf(1.0 / f64::from(order));
     let (mut z, mut t) = (CompensatedPhase::from(Phase::at_rest(theta_0)), 0.0);
     while t < end {
         let omega = z.phase.omega;
