@@ -3,9 +3,9 @@
 //! The first table is the speed of a step, one trajectory after the other and in lanes, with each
 //! set of vector instructions; where the processor lacks them, the baseline runs, and its speed is
 //! shown. The second is how many additions, subtractions, multiplications and divisions a second
-//! that is, where their number is the same in every step, beside as many sums as products that wait
-//! for nothing. The third is the time in which a method brings every one of the pendulums to an
-//! error. All are of one thread.
+//! that is, where their number is the same in every step, and what share of the sums and products
+//! that wait for nothing, timed in the same rounds. The third is the time in which a method brings
+//! every one of the pendulums to an error. All are of one thread.
 //!
 //! `cargo bench --bench ensemble -- NAME` shows the methods whose name contains NAME.
 
@@ -61,14 +61,22 @@ fn evaluations(info: &MethodInfo) -> u64 {
     info.force_evaluations * if info.implicit { 10 } else { 1 }
 }
 
-/// Millions of steps a second: one after the other, and in lanes of each kind.
-fn speeds(method: &dyn AnyMethod) -> [f64; 4] {
+/// The speeds of a method.
+struct Speeds {
+    /// Millions of steps a second: one after the other, and in lanes of each kind.
+    steps: [f64; 4],
+    /// The [`bounds`] in the same rounds.
+    bounds: [Option<f64>; 3],
+}
+
+fn speeds(method: &dyn AnyMethod) -> Speeds {
     let (pendulum, starts) = (Pendulum::PAPER, spread());
     let steps = 1000 / evaluations(&method.info()) + 5;
     let grid = Grid::new(0.01, steps).expect("a positive step");
     let mut ends = vec![Phase::default(); starts.len()];
-    let mut shortest = [f64::INFINITY; 4];
+    let (mut shortest, mut highest) = ([f64::INFINITY; 4], [None; 3]);
     for _ in 0..ROUNDS {
+        highest = highest_of(highest, bounds());
         let alone = seconds(|| {
             for (start, end) in black_box(&starts).iter().zip(&mut ends) {
                 *end = method.end(&pendulum, *start, black_box(&grid));
@@ -87,7 +95,8 @@ fn speeds(method: &dyn AnyMethod) -> [f64; 4] {
             *shortest = shortest.min(time);
         }
     }
-    shortest.map(|time| 1e-6 * f64::from(PENDULUMS) * steps as f64 / time)
+    let steps = shortest.map(|time| 1e-6 * f64::from(PENDULUMS) * steps as f64 / time);
+    Speeds { steps, bounds: highest }
 }
 
 /// Sums, and products, under way at a time: two units for each, which take three or four cycles,
@@ -118,7 +127,7 @@ fn bound<S: Simd>(simd: S) -> f64 {
             },
         )
     };
-    let shortest = (0..10 * ROUNDS).map(|_| seconds(work)).fold(f64::INFINITY, f64::min);
+    let shortest = (0..ROUNDS).map(|_| seconds(work)).fold(f64::INFINITY, f64::min);
     let lanes = S::f64s::splat(simd, 0.0).as_slice().len();
     1e-9 * (2 * AT_ONCE * TIMES * lanes) as f64 / shortest
 }
@@ -132,6 +141,11 @@ fn bounds() -> [Option<f64>; 3] {
     #[cfg(not(target_arch = "x86_64"))]
     let bounds = [Some(fearless_simd::dispatch!(level, simd => bound(simd))), None, None];
     bounds
+}
+
+/// The higher of two bounds, for each set of instructions.
+fn highest_of(some: [Option<f64>; 3], others: [Option<f64>; 3]) -> [Option<f64>; 3] {
+    std::array::from_fn(|i| if others[i] > some[i] { others[i] } else { some[i] })
 }
 
 /// The shortest time (s) in which every pendulum comes to each of the [`GOALS`].
@@ -182,7 +196,7 @@ fn digits(x: f64) -> String {
 }
 
 struct Tables {
-    speeds: Vec<(&'static str, [f64; 4])>,
+    speeds: Vec<(&'static str, Speeds)>,
     times: Vec<(&'static str, [f64; 5])>,
 }
 
@@ -205,12 +219,11 @@ fn measure(only: &str) -> Tables {
 }
 
 /// Prints what the speeds are in operations, and how much of the [`bounds`].
-fn print_operations(speeds: &[(&'static str, [f64; 4])]) {
-    let bounds = bounds();
-    println!("\nBillions of operations a second, and their share of the last row.\n");
+fn print_operations(speeds: &[(&'static str, Speeds)]) {
+    println!("\nBillions of operations a second, and their share of the last row in its rounds.\n");
     println!("| Method | operations a step | SSE2 | % | AVX2 | % | AVX-512 | % |");
     println!("|---|--:|--:|--:|--:|--:|--:|--:|");
-    for (title, [_, lanes @ ..]) in speeds {
+    for (title, Speeds { steps: [_, lanes @ ..], bounds }) in speeds {
         let method = METHODS.iter().find(|method| method.info().title == *title);
         let on_device = method.and_then(|method| method_named(method.info().name));
         let Some(program) = on_device.and_then(|method| (method.program)()) else { continue };
@@ -227,9 +240,10 @@ fn print_operations(speeds: &[(&'static str, [f64; 4])]) {
             cells.collect::<Vec<_>>().join(" | ")
         );
     }
-    let bounds =
-        bounds.map(|bound| bound.map_or("– |".into(), |bound| format!("{} |", digits(bound))));
-    println!("| sums and products that wait for nothing | | {} |", bounds.join(" | "));
+    let highest = speeds.iter().map(|(_, speeds)| speeds.bounds).fold([None; 3], highest_of);
+    let highest =
+        highest.map(|bound| bound.map_or("– |".into(), |bound| format!("{} |", digits(bound))));
+    println!("| sums and products that wait for nothing | | {} |", highest.join(" | "));
 }
 
 fn main() {
@@ -239,7 +253,7 @@ fn main() {
     println!("Millions of steps a second of one thread, and how many times as fast as alone.\n");
     println!("| Method | alone | SSE2 | × | AVX2 | × | AVX-512 | × |");
     println!("|---|--:|--:|--:|--:|--:|--:|--:|");
-    for (title, [alone, lanes @ ..]) in &speeds {
+    for (title, Speeds { steps: [alone, lanes @ ..], .. }) in &speeds {
         let cells = lanes.map(|speed| format!("{} | {:.1}", digits(speed), speed / alone));
         println!("| {title} | {} | {} |", digits(*alone), cells.join(" | "));
     }
