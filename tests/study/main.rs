@@ -6,6 +6,7 @@ use pendula_study::claims::{Ledger, Measured};
 use pendula_study::experiments::Study;
 
 mod choosing;
+mod error_law;
 mod exercises;
 mod figures;
 mod geometry;

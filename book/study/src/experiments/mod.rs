@@ -155,7 +155,7 @@ pub(crate) fn grid(duration: f64, step: f64) -> Grid {
 /// Force evaluations of a run of the paper's pendulum in seconds, as by
 /// [`integrate`](pendula::integrate()): where the step is the unit of time, the iteration of an
 /// implicit method ends by other units, and takes up to a fifth more.
-fn evaluations(method: &dyn AnyMethod, start: Phase, grid: &Grid) -> u64 {
+pub fn evaluations(method: &dyn AnyMethod, start: Phase, grid: &Grid) -> u64 {
     let method = in_seconds(method.info().name).expect("a method of the library");
     method.count_evaluations(&Pendulum::PAPER, start, grid)
 }

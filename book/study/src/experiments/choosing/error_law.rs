@@ -37,22 +37,24 @@ const CLEAR: f64 = 10.0;
 pub struct Profile {
     /// The method.
     pub method: MethodRef,
-    pub(super) release: Release,
-    pub(super) rungs: Vec<Rung>,
+    /// The swing.
+    pub release: Release,
+    /// The growth of the error at each step, the coarsest first.
+    pub rungs: Vec<Rung>,
 }
 
 /// The growth of the error at one step.
 #[derive(Clone, Debug)]
-pub(super) struct Rung {
+pub struct Rung {
     /// Steps a period.
-    pub(super) steps: u64,
+    pub steps: u64,
     /// The number of periods from which it was measured.
-    pub(super) periods: u64,
+    pub periods: u64,
     /// e₀, e₁, e₂ (rad) at each phase.
-    pub(super) growth: Vec<[f64; 3]>,
+    pub growth: Vec<[f64; 3]>,
     /// Where the steps are coarse: the largest error measured (rad) in the first period, the first
     /// two, ….
-    pub(super) seen: Vec<f64>,
+    pub seen: Vec<f64>,
 }
 
 /// The law of every method of the library, each measured when it is first asked for.
@@ -93,7 +95,7 @@ fn truth() -> impl Iterator<Item = &'static [Phase]> {
 impl Rung {
     /// Runs the method with a step for each state of `truth`, which is the exact motion over a
     /// period.
-    pub(super) fn measure(method: MethodRef, release: &Release, truth: &[Phase]) -> Self {
+    pub fn measure(method: MethodRef, release: &Release, truth: &[Phase]) -> Self {
         let steps = truth.len() as u64;
         // An even number of periods between the first and the last, so that one is half-way.
         let half = (STEPS / steps).min(LONGEST) / 2;
@@ -138,7 +140,7 @@ impl Rung {
     }
 
     /// The largest error (rad) at any phase of the first `periods` periods.
-    pub(super) fn error(&self, periods: u64) -> f64 {
+    pub fn error(&self, periods: u64) -> f64 {
         if let Some(largest) = self.seen.get(periods as usize - 1) {
             return *largest;
         }
@@ -153,7 +155,7 @@ impl Rung {
     }
 
     /// The largest of the coefficients e₂ (rad): zero for a method whose action does not drift.
-    pub(super) fn drift(&self) -> f64 {
+    pub fn drift(&self) -> f64 {
         self.growth.iter().map(|e| e[2].abs()).fold(0.0, libm::fmaximum)
     }
 
