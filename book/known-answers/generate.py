@@ -26,7 +26,7 @@ STEPS = {name: scene.pop("steps") for name, scene in SCENES.items()}
 WHOLE = {name: AT_REST | scene for name, scene in SCENES.items()}
 # What a mistake does not take over from its method.
 OF_METHODS = ("also", "order", "keeps", "source", "digits")
-FIELDS = "name of also what effect seen order keeps same_as digits source note".split()
+FIELDS = "name of also what effect seen equation order keeps same_as digits source note".split()
 
 
 def inputs(name, before=0):

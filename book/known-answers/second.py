@@ -6,7 +6,7 @@ Implicit steps are solved by Newton's method.
 import flint
 from flint import arb, arb_mat, arb_series
 
-from tables import Reader, alternation, function
+from tables import Reader, alternation, function, lines
 
 flint.ctx.prec = 256
 FUNCTIONS = {
@@ -26,7 +26,7 @@ class Forces:
     def __init__(self, scene, table):
         self.g, self.a, self.w = (arb(scene[key]) for key in ("g_over_l", "amplitude", "frequency"))
         self.drive = arb.sin if table.get("drive") == "sine" else arb.cos
-        names = {"g": self.g, "sin": arb.sin, "cos": arb.cos, "number": arb}
+        names = {"g": self.g, "sin": arb.sin, "cos": arb.cos, "sqrt": arb.sqrt, "number": arb}
         names["radians"] = lambda q: q * arb.pi() / 180
         self.undriven = function(table.get("force", "-g * sin(q)"), names)
 
@@ -199,11 +199,13 @@ def run(table, scene, steps):
     states = []
     if table["kind"] == "multistep":
         return multistep(table, forces, t, q, p, h, steps)
-    tableau = None if table["kind"] == "taylor" else Nystrom(table)
+    tableau = None if table["kind"] in ("taylor", "formula") else Nystrom(table)
     for i in range(steps):
         now = t if table.get("time") == "never" else t + i * h
         if tableau:
             q, p = tableau.step(forces, now, q, p, h)
+        elif table["kind"] == "formula":
+            q, p = lines(table["formula"], FUNCTIONS, q, p, h, lambda q: forces.value(now, q))
         else:
             q, p = series(forces, now, q, p, h, table["order"])
         states.append((q, p))

@@ -5,7 +5,7 @@ import functools
 import mpmath
 
 from arithmetic import DIGITS, Digits, dot, mpf
-from tables import Reader, alternation, function
+from tables import Reader, alternation, function, lines
 
 
 class Pendulum:
@@ -20,7 +20,7 @@ class Pendulum:
         self.drive = n.sin if table.get("drive") == "sine" else n.cos
         self.undriven = lambda q: -(self.g * n.sin(q))
         if "force" in table:
-            names = {"g": self.g, "sin": n.sin, "cos": n.cos, "number": n.number}
+            names = {"g": self.g, "sin": n.sin, "cos": n.cos, "sqrt": n.sqrt, "number": n.constant}
             names["radians"] = lambda q: q * n.constant(mpmath.pi / 180)
             self.undriven = function(table["force"], names)
         self.linear_frequency = n.sqrt(self.g)
@@ -31,6 +31,9 @@ class Pendulum:
         return self.undriven(q) + self.a * self.drive(self.w * t)
 
 
+EXPLICIT = ("splitting", "taylor", "deuflhard", "processed", "formula")
+
+
 class Method:
     """A table, its coefficients read once for each kind of number."""
 
@@ -39,7 +42,7 @@ class Method:
         self.kind = table["kind"]
         self.reader = Reader(table)
         self.step = STEPS[self.kind]
-        self.explicit = self.kind in ("splitting", "taylor", "deuflhard", "processed") or (
+        self.explicit = self.kind in EXPLICIT or (
             self.kind in ("rk", "rkn") and is_explicit(self.tableau()[1])
         )
         self.explicit = self.explicit and not table.get("implicit")
@@ -377,7 +380,15 @@ def multistep(n, system, memory, t, q, p, h):
     return new_q, new_p
 
 
+def formula(n, system, memory, t, q, p, h):
+    def force(q):
+        return system.force(t, q)
+
+    return lines(memory["c"].table["formula"], {"number": n.constant}, q, p, h, force)
+
+
 STEPS = {
+    "formula": formula,
     "rk": runge_kutta,
     "rkn": nystrom,
     "splitting": splitting,

@@ -24,6 +24,15 @@ def evaluate(text, names):
     return eval(NUMBER.sub(r"number('\1')", text), {"__builtins__": {}} | names)
 
 
+def lines(text, names, q, p, h, force):
+    """What a formula leads to, "name = expression" a line: its theta and its omega."""
+    names = names | {"q": q, "p": p, "h": h, "f": force}
+    for line in text.strip().splitlines():
+        name, expression = line.split("=")
+        names[name.strip()] = evaluate(expression.strip(), names)
+    return names["theta"], names["omega"]
+
+
 class Reader:
     """Reads the expressions of one table with one library of numbers."""
 
@@ -52,9 +61,11 @@ def read():
     """All tables by name, and the names in the order of the files: (methods, mistakes)."""
     found = {"method": [], "mistake": []}
     for path in sorted((HERE / "tables").glob("*.toml")):
-        for kind, entries in tomllib.loads(path.read_text()).items():
-            if kind in found:
-                found[kind] += entries
+        file = tomllib.loads(path.read_text())
+        for kind in found:
+            found[kind] += file.get(kind, [])
+        for equation in file.get("equation", []):
+            found["mistake"] += on_each_method(equation, file["methods"])
     methods = {table["name"]: table for table in found["method"]}
     mistakes = {}
     for table in found["mistake"]:
@@ -67,6 +78,15 @@ def read():
         mistakes[table["name"]] = merged
     assert len(methods) + len(mistakes) == sum(map(len, found.values())), "a name twice"
     return methods, mistakes
+
+
+def on_each_method(equation, methods):
+    """A wrong equation as a mistake in each of these methods."""
+    seen = equation.get("seen_in", {})
+    rest = {k: v for k, v in equation.items() if k not in ("suffix", "seen_in")}
+    for of in methods:
+        named = {"name": f"{of}-{equation['suffix']}", "of": of}
+        yield named | rest | {"seen": seen.get(of, equation["seen"])}
 
 
 def exchange(table, change):
