@@ -250,6 +250,24 @@ def check_extras(methods, written):
     print(f"estimates and interpolants: {checked}")
 
 
+def check_equations(methods):
+    """The steps on wrong equations, by the second computation."""
+    checked = 0
+    written = json.loads(generate.OUTPUT.read_text())["methods"]
+    for row in written:
+        table, on = methods[row["name"]], row.get("on", {})
+        if tables.knows_the_sine(table) == bool(on):
+            fail(row["name"], "has", len(on), "wrong equations")
+        for name, state in on.items():
+            force = tables.equations()[name]["force"]
+            found = second.run(table | {"force": force}, generate.WHOLE["swinging"], 1)[0]
+            for text, value in zip((state["theta"], state["omega"]), found):
+                checked += 1
+                if generate.rounded(plain_number(value)) != text:
+                    fail(row["name"], "on", name, text, value)
+    print(f"steps on wrong equations: {checked} numbers")
+
+
 def check_effects(mistakes):
     """The order that the effect of a mistake speaks of, from the error after two small steps."""
     checked = 0
@@ -317,6 +335,7 @@ if __name__ == "__main__":
         entries = {**methods, **mistakes}
         written = check_answers(entries)
         check_extras(methods, written)
+        check_equations(methods)
         check_effects(mistakes)
         check_distances(written, entries)
     print(f"{len(FAILURES)} wrong, {time.time() - start:.0f} s")

@@ -17,6 +17,8 @@ OUTPUT = pathlib.Path(__file__).parents[2] / "snapshots" / "known-answers.json"
 SHOWN = 25
 MARGIN = 2
 LEAST = 4
+# Decimals of the answers to wrong equations.
+DECIMALS = 13
 ORDERS_OF_OPERATIONS = [Spread(False, False), Spread(True, True)]
 
 SCENES = tomllib.loads((tables.HERE / "tables" / "scenes.toml").read_text())
@@ -129,6 +131,23 @@ def extra(method, n, scene, states, memory):
     return found
 
 
+def rounded(x):
+    whole = int(mpmath.nint(abs(x) * 10**DECIMALS))
+    text = str(whole).rjust(DECIMALS + 1, "0")
+    return f"{'-' if x < 0 else ''}{text[:-DECIMALS]}.{text[-DECIMALS:]}"
+
+
+def on_wrong_equations(table, mistakes):
+    """One step of a method on each wrong equation that is not a mistake of the file in it."""
+    found = {}
+    for name, equation in tables.equations().items():
+        if f"{table['name']}-{name}" not in mistakes and not tables.knows_the_sine(table):
+            method = Method(table | {"force": equation["force"]})
+            exact = method.run(Digits, inputs("swinging"), 1)[0][0]
+            found[name] = dict(zip(("theta", "omega"), map(rounded, exact)))
+    return found
+
+
 def entry(table):
     method = Method(table)
     left_out = OF_METHODS if "of" in table else ()
@@ -152,10 +171,18 @@ def document():
             more["before"] = [state(z) for z in before]
         rows.append(f"{line(name)}: {line({**scene, **more})}")
     out.append(",\n".join(rows) + "},")
+    keys = ("what", "effect", "equation")
+    rows = [
+        f"{line(name)}: {line({key: wrong[key] for key in keys})}"
+        for name, wrong in tables.equations().items()
+    ]
+    out.append('"equations": {\n' + ",\n".join(rows) + "},")
     for kind, entries in (("methods", methods), ("mistakes", mistakes)):
         texts = []
         for table in entries.values():
             head, found = entry(table)
+            if kind == "methods" and (on := on_wrong_equations(table, mistakes)):
+                head["on"] = on
             body = line(head)[:-1] + ', "answers": [\n'
             texts.append(body + ",\n".join(line(answer) for answer in found) + "]}")
         out.append(f"{line(kind)}: [\n" + ",\n".join(texts) + ("]," if kind == "methods" else "]"))

@@ -26,7 +26,9 @@ class Forces:
     def __init__(self, scene, table):
         self.g, self.a, self.w = (arb(scene[key]) for key in ("g_over_l", "amplitude", "frequency"))
         self.drive = arb.sin if table.get("drive") == "sine" else arb.cos
-        names = {"g": self.g, "sin": arb.sin, "cos": arb.cos, "sqrt": arb.sqrt, "number": arb}
+        # Of numbers and of series.
+        names = {name: lambda x, name=name: getattr(x, name)() for name in ("sin", "cos", "sqrt")}
+        names |= {"g": self.g, "number": arb}
         names["radians"] = lambda q: q * arb.pi() / 180
         self.undriven = function(table.get("force", "-g * sin(q)"), names)
 
@@ -34,7 +36,7 @@ class Forces:
         return self.undriven(q) + self.a * self.drive(self.w * t)
 
     def slope(self, q):
-        return -self.g * q.cos()
+        return self.undriven(arb_series([q, 1], 2))[1]
 
 
 def root(function, guess):

@@ -1,5 +1,6 @@
 """Reads the tables: names, sources and coefficients, the latter as expressions or decimals."""
 
+import functools
 import pathlib
 import re
 import tomllib
@@ -65,7 +66,7 @@ def read():
         for kind in found:
             found[kind] += file.get(kind, [])
         for equation in file.get("equation", []):
-            found["mistake"] += on_each_method(equation, file["methods"])
+            found["mistake"] += on_each_method(equation, equation.get("of", file["methods"]))
     methods = {table["name"]: table for table in found["method"]}
     mistakes = {}
     for table in found["mistake"]:
@@ -80,10 +81,22 @@ def read():
     return methods, mistakes
 
 
+@functools.lru_cache(None)
+def equations():
+    """The wrong equations that one step shows, by name."""
+    file = tomllib.loads((HERE / "tables" / "equations.toml").read_text())
+    return {x["suffix"]: x for x in file["equation"] if "swinging" in x["scenes"]}
+
+
+def knows_the_sine(table):
+    """Whether the method is made for this equation, or comes with older states of it."""
+    return table["kind"] not in ("rk", "rkn", "splitting") or "gradients" in table
+
+
 def on_each_method(equation, methods):
     """A wrong equation as a mistake in each of these methods."""
     seen = equation.get("seen_in", {})
-    rest = {k: v for k, v in equation.items() if k not in ("suffix", "seen_in")}
+    rest = {k: v for k, v in equation.items() if k not in ("suffix", "seen_in", "of")}
     for of in methods:
         named = {"name": f"{of}-{equation['suffix']}", "of": of}
         yield named | rest | {"seen": seen.get(of, equation["seen"])}

@@ -14,6 +14,10 @@
     };
     // The first pair that is asked for.
     const FIRST = 'swinging-1';
+    // A name is given where no other entry lies within so many times what the name is given by.
+    const ALONE = 10n;
+    // So many decimals have the steps on wrong equations.
+    const DECIMALS = 13;
 
     const size = x => (x < 0n ? -x : x);
     const larger = (x, y) => (x > y ? x : y);
@@ -57,33 +61,63 @@
         return numbers.map(x => ({ ...x, unit: [x.unit, a, b].reduce((u, v) => (u < v ? u : v)) }));
     }
 
-    // How far a pair is from an answer: in rad and rad/s, and in ε; whether it agrees, and whether
-    // it does as far as it was typed.
-    function beside({ values, scale, allowed }, pair, bits) {
+    // How far a pair is from an answer: in rad and rad/s, and in ε; whether it agrees, or is near,
+    // and whether it does as far as it was typed.
+    function beside({ values, scale, allowed, decimals = 0n }, pair, bits) {
         const off = pair.map((x, i) => size(x.value - values[i])),
-            limit = allowed >> bits;
+            limit = (allowed >> bits) + decimals,
+            within = (times, units) =>
+                off.every((x, i) => x <= times * (limit + (units ? pair[i].unit : 0n)));
         return {
             off: off.map(x => Number(x) / Number(ONE)),
             epsilons: Number(larger(...off) << bits) / Number(scale),
-            allowed: Number(allowed) / Number(scale),
-            agrees: off.every(x => x <= limit),
-            soFar: off.every((x, i) => x <= limit + pair[i].unit),
+            allowed: Number(limit << bits) / Number(scale),
+            agrees: within(1n, false),
+            soFar: within(1n, true),
+            isNear: within(ALONE, false),
+            isNearSoFar: within(ALONE, true),
         };
+    }
+
+    // What is compared with a pair of numbers.
+    function answer({ theta, omega, tolerance }) {
+        const values = [theta, omega].map(text => decimal(text).value),
+            scale = larger(...values.map(size));
+        return { values, scale, allowed: BigInt(tolerance) * scale, texts: [theta, omega] };
+    }
+
+    // A method on each wrong equation, as mistakes in it.
+    function onWrongEquations({ name, on = {}, answers: [{ tolerance }] }, equations) {
+        const decimals = 10n ** BigInt(PLACES - DECIMALS);
+        return Object.entries(on).map(([wrong, state]) => ({
+            name: `${name}-${wrong}`,
+            of: name,
+            ...equations[wrong],
+            answers: new Map([[FIRST, { ...answer({ ...state, tolerance }), decimals }]]),
+        }));
     }
 
     // The entries of the file, methods first, with their answers by scene and number of steps.
     class Known {
-        constructor({ scenes, methods, mistakes }) {
+        constructor({ scenes, equations, methods, mistakes }) {
             this.scenes = scenes;
+            const wrong = methods.flatMap(method => onWrongEquations(method, equations));
             this.entries = [...methods, ...mistakes].map(entry => {
-                const answers = entry.answers.map(({ scene, steps, theta, omega, tolerance }) => {
-                    const values = [theta, omega].map(text => decimal(text).value),
-                        scale = larger(...values.map(size)),
-                        allowed = BigInt(tolerance) * scale;
-                    return [`${scene}-${steps}`, { values, scale, allowed, texts: [theta, omega] }];
-                });
+                const answers = entry.answers.map(({ scene, steps, ...rest }) => [
+                    `${scene}-${steps}`,
+                    answer(rest),
+                ]);
                 return { ...entry, answers: new Map(answers) };
             });
+            // What the file has as a mistake in it is that, as twice the force in both kicks.
+            const isKnown = ({ of, answers }) => {
+                const { values, decimals } = answers.get(FIRST);
+                return this.entries.some(entry => {
+                    const other = entry.of === of && entry.answers.get(FIRST);
+                    return other && values.every((x, i) => size(x - other.values[i]) <= decimals);
+                });
+            };
+            this.entries.push(...wrong.filter(entry => !isKnown(entry)));
             this.keys = [...new Set(this.entries.flatMap(({ answers }) => [...answers.keys()]))];
         }
 
@@ -98,23 +132,28 @@
                 .map(entry => ({ entry, ...beside(entry.answers.get(key), pair, bits) }));
         }
 
+        // The nearest first, with those that are not ten times as far.
         nearest(key, pair, bits) {
-            return this.beside(key, pair, bits).reduce((a, b) => (b.epsilons < a.epsilons ? b : a));
+            const all = this.beside(key, pair, bits).sort((a, b) => a.epsilons - b.epsilons),
+                most = all[0].epsilons * Number(ALONE);
+            return all.filter(({ epsilons }) => epsilons <= most);
         }
 
         // Those that agree; if there are none, those that agree as far as the numbers were typed.
+        // With either stand those that are near: only one that is alone has a name.
         fits(key, pair, bits, among) {
-            const all = this.beside(key, pair, bits, among),
-                agree = all.filter(found => found.agrees);
-            return agree.length ? agree : all.filter(found => found.soFar);
+            const all = this.beside(key, pair, bits, among);
+            if (all.some(found => found.agrees)) return all.filter(found => found.isNear);
+            if (all.some(found => found.soFar)) return all.filter(found => found.isNearSoFar);
+            return [];
         }
 
-        // Whether two entries are further apart there than their tolerances.
+        // Whether two entries are so far apart there that each can be alone.
         apart(a, b, key, bits) {
             const [x, y] = [a.answers.get(key), b.answers.get(key)];
             if (!x || !y) return false;
-            const limit = (x.allowed + y.allowed) >> bits;
-            return x.values.some((value, i) => size(value - y.values[i]) > limit);
+            const limit = (x.allowed > y.allowed ? x.allowed : y.allowed) >> bits;
+            return x.values.some((value, i) => size(value - y.values[i]) > (ALONE + 1n) * limit);
         }
 
         // What is left after each pair, [[key, pair], …]: `found`, which agree; `hidden`, mistakes
@@ -163,6 +202,7 @@
                 ...others.map(other => ['scene', this.fits(other, pair, bits), other]),
                 ['swapped', this.fits(key, [...pair].reverse(), bits)],
                 ['degrees', this.fits(key, degrees, bits)],
+                ['degrees-alone', this.fits(key, [degrees[0], pair[1]], bits)],
             ].filter(([, fits]) => fits.length);
         }
     }

@@ -19,7 +19,9 @@
         ],
         // More are listed by name alone, and more still are folded.
         IN_FULL = 3,
-        OPEN = 16;
+        OPEN = 16,
+        // Numbers that are further away, as a part of their size, are near nothing.
+        NEAR = 1e-5;
 
     const minus = text => String(text).replace(/-(?=[\d.])/g, '−');
     const about = x => (x < 9.95 && x >= 0.05 ? x.toFixed(1) : tick(Number(x.toPrecision(2))));
@@ -27,6 +29,8 @@
     const link = (href, ...words) => element('a', { href }, ...words);
     const list = items => markup`<ul>${items.map(item => markup`<li>${item}</li>`)}</ul>`;
     const texts = pair => pair.map(({ text }) => text);
+    const listed = names =>
+        names.length > 1 ? `${names.slice(0, -1).join(', ')} or ${names.at(-1)}` : names[0];
     const isMistake = entry => Boolean(entry.of);
     const span = words => markup`<span>${words}</span>`;
     const both = values => {
@@ -200,9 +204,7 @@
                 most = Math.max(...numbers.map(x => x.digits)),
                 few = most < digits - 2 && !found.some(({ agrees }) => agrees),
                 tell = `As far as ${most} digit${most > 1 ? 's' : ''} tell, `,
-                [{ entry }] = found,
-                one = isMistake(entry) ? `${entry.of} with a mistake` : entry.name,
-                it = found.length > 1 ? `${count(found.length)} entries fit` : `it is ${one}`,
+                it = this.inWords(found),
                 words = few ? `${tell}${it}. Print all ${digits} digits of the numbers.` : `${it}.`;
             const hints = [];
             if (this.precision === 'single' && !numbers.every(x => x.isSingle))
@@ -240,15 +242,19 @@
         // Nothing fits: what is near, and what the numbers may be instead.
         none(found, [key, pair], at, bits) {
             const nearest = this.known.nearest(key, pair, bits),
-                { entry, epsilons, allowed } = nearest,
+                [{ entry, epsilons, allowed }] = nearest,
+                { equation, what } = entry,
+                isWrong = equation && nearest.every(one => one.entry.equation === equation),
                 share = epsilons * 2 ** -Number(bits),
+                isNear = share < NEAR,
+                right = -Math.ceil(Math.log10(share)),
                 hints = this.known.instead(key, pair, bits).map(hint => this.hint(hint, key, pair)),
                 isOther = hints.length > 0;
-            if (share > 1e-3 && !at && !isOther)
+            if (!isNear && !at && !isOther)
                 hints.push(['Was it one step of h = 1/8, with g/L = 1, and in radians?']);
-            if (share < 1e-5 && !isOther)
+            if (isNear && !isOther && !isWrong)
                 hints.push([
-                    `It is near: ${-Math.ceil(Math.log10(share))} digits are right. ` +
+                    `It is near: ${right} digits are right. ` +
                         'Has a coefficient, or a part of the program, fewer digits than the rest?',
                 ]);
             const silent = found.filter(one => !one.entry.answers.has(key)),
@@ -258,20 +264,44 @@
                     `Without the last two numbers it was ${this.some(before)}`,
                     silent.length ? ', for which the file has no answer to them.' : '.',
                 ]);
+            const far = `${about(epsilons)} ε away; ${Math.round(allowed)} ε are allowed.`;
+            const said = isWrong
+                ? `. To ${right} digits they are those of a wrong equation: ${what}.`
+                : nearest.length > IN_FULL
+                  ? `. The nearest are ${count(nearest.length)} entries, ${far}`
+                  : `. The nearest is ${this.some(nearest)}, ${far}`;
             this.say(
                 `No entry fits${at ? ' all of the numbers' : ''}` +
-                    (share > 1e-3
-                        ? ', and none is near.'
-                        : `. The nearest is ${entry.name}, ${about(epsilons)} ε away; ` +
-                          `${Math.round(allowed)} ε are allowed.`),
+                    (isNear ? said : ', and none is near.'),
                 hints,
-                ...(share > 1e-3 || isOther ? [] : [this.card([[key, pair]], true)(nearest)]),
+                ...(isNear && !isOther && !isWrong && nearest.length === 1
+                    ? [this.card([[key, pair]], true)(nearest[0])]
+                    : []),
             );
+        }
+
+        // What it is: a name, up to three of which it is one, or how many fit; or a wrong equation,
+        // if all agree on that.
+        inWords(found) {
+            const [{ entry }] = found,
+                { equation, what } = entry,
+                isWrong = equation && found.every(one => one.entry.equation === equation),
+                methods = [...new Set(found.map(one => one.entry.of))];
+            if (isWrong) return `the equation is wrong: ${what}; ${this.oneOf(methods, 'method')}`;
+            if (found.length > 1) return this.oneOf(found.map(one => one.entry.name), 'entry');
+            return `it is ${isMistake(entry) ? `${entry.of} with a mistake` : entry.name}`;
+        }
+
+        oneOf(names, kind) {
+            const all = kind === 'method' ? 'methods' : 'entries';
+            if (names.length > IN_FULL) return `${count(names.length)} ${all} fit`;
+            if (names.length === 1) return `the ${kind} is ${names[0]}`;
+            return `it is one of: ${listed(names)}`;
         }
 
         some(found) {
             if (found.length > IN_FULL) return `one of ${count(found.length)} entries`;
-            return found.map(({ entry }) => entry.name).join(' or ');
+            return listed(found.map(({ entry }) => entry.name));
         }
 
         hint([what, fits, other], key, pair) {
@@ -289,6 +319,7 @@
                     this.same(precision, 'Exchange them', key, swapped),
                 ],
                 degrees: () => [`In degrees ${those}. A radian has 57.29578 of them.`],
+                'degrees-alone': () => [`With θ in degrees, and ω in rad/s, ${those}.`],
             }[what]();
         }
 
@@ -320,6 +351,7 @@
                     ['keeps', isMistake(entry) ? null : (entry.keeps?.join(', ') ?? 'nothing')],
                     ['source', entry.source],
                     ['what was done', entry.what],
+                    ['solves', entry.equation],
                     ['effect', entry.effect],
                     ['a mistake in', isMistake(entry) && titled(entry.of)],
                     ['seen', zoo ? [seen, link('judging.html#the-zoo', zoo)] : seen],
