@@ -235,7 +235,7 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_missing_first_half_kick(
     a_missing_first_half_kick, told,
     leapfrog(), &["order", "reversal"],
-    "It is Störmer–Verlet seen half a kick ahead",
+    "It is the other symplectic Euler, which is Störmer–Verlet seen half a kick ahead",
 )]
 #[case::velocities_at_half_steps(
     velocities_at_half_steps, told,
@@ -343,7 +343,8 @@ fn each_failure_follows_from_one_cause() {
     let run = Driven { run: a_kick_missing_in_each_step, g_over_l: told };
     let report = judge(&run, leapfrog());
     let told = report.look_at.concat();
-    for name in report.failures() {
+    // The sentence on the equation is itself what is said of it.
+    for name in report.failures().filter(|name| *name != "equation") {
         assert_eq!(told.matches(name).count(), 1, "{name}: {report}");
     }
 }
@@ -368,13 +369,12 @@ fn rk4_in_single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase>
     })
 }
 
-/// In single precision some methods, of large coefficients and so of large tolerances, cannot be
-/// told from RK4.
+/// In single precision some methods, of large coefficients and so of large tolerances, allow for
+/// the steps of RK4; but these are a thousand times as near to its own.
 ///
-/// Catches: a right program refused its name since another method is nearer by chance; a name that
-/// is taken for another whatever it is.
+/// Catches: a name that is given for its large tolerance; a right program refused its own.
 #[test]
-fn of_the_methods_that_fit_it_is_the_one_that_is_claimed() {
+fn of_the_methods_that_fit_it_is_the_one_that_is_near() {
     let stranger = Driven { run: rk4_in_single_precision, g_over_l: told };
     let stranger = Remembered(stranger, RefCell::default());
     let names = known_answers::methods().iter().map(|known| known.name.as_str());
@@ -383,5 +383,5 @@ fn of_the_methods_that_fit_it_is_the_one_that_is_claimed() {
         report.finding("name").is_some_and(|finding| finding.verdict == Verdict::Holds)
     };
     let fit: Vec<&str> = names.filter(holds).collect();
-    assert_eq!(fit, ["verner-6", "tanaka-yamashita-7", "rk4"]);
+    assert_eq!(fit, ["rk4"]);
 }

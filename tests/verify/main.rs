@@ -19,6 +19,7 @@ macro_rules! impostors {
 
 mod any_claims;
 mod discrimination;
+mod equations;
 mod garbage;
 mod judged;
 mod looks;

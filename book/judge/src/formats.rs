@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::printable::{escaped, printable};
-use crate::{Claims, Finding, Report, Verdict};
+use crate::{Claims, Departure, Finding, Report, Verdict};
 
 /// A program with what was found of it.
 #[derive(Clone, Copy, Debug)]
@@ -47,9 +47,21 @@ pub fn json(judged: &Judged<'_>) -> Value {
         "summary": report.summary(),
         "identity": report.identity.as_ref().map(|identity| identity.method),
         "mistake": report.mistake.map(|mistake| &mistake.name),
+        "departure": report.departure.as_ref().map(departure),
         "what_it_is": report.what_it_is(),
         "what_to_look_at": report.look_at,
         "properties": report.findings.iter().map(property).collect::<Vec<_>>(),
+    })
+}
+
+/// In what it departs from the pendulum, with its numbers.
+fn departure(found: &Departure) -> Value {
+    json!({
+        "kind": found.kind.name(),
+        "place": found.kind.place().name(),
+        "values": found.values,
+        "equation": found.equation,
+        "sentence": found.sentence,
     })
 }
 

@@ -26,6 +26,8 @@ pub struct Known {
     pub name: String,
     /// Its other names.
     pub also: Vec<String>,
+    /// Its order; of a mistake 0.
+    pub order: u32,
     /// What is wrong, in a mistake.
     pub mistake: Option<Mistake>,
     /// What it leads to.
@@ -172,6 +174,7 @@ fn read_known(known: &Value) -> Known {
     Known {
         name: text(&known["name"]),
         also: entries(&known["also"]).iter().map(text).collect(),
+        order: known["order"].as_u64().unwrap_or(0) as u32,
         mistake,
         answers: entries(&known["answers"]).iter().map(read_answer).collect(),
     }

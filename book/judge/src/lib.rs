@@ -82,7 +82,8 @@ mod stranger;
 pub mod zoo;
 
 pub use judge::{
-    ClaimError, Claims, Evidence, Finding, Identity, Report, Verdict, judge, try_judge,
+    ClaimError, Claims, Departure, Evidence, Finding, Identity, Kind, Place, Report, Verdict,
+    judge, try_judge,
 };
 #[doc(hidden)]
 pub use judge::{Scientific, Seen, scientific, sign_of_slopes};

@@ -17,17 +17,52 @@ pub struct Answers {
     tolerance: f64,
 }
 
-/// A method of the file that the stranger is, and how far it is off.
+/// A method of the file that the stranger can be, and how far it is off.
 #[derive(Clone, Copy, Debug)]
 pub struct Match {
     pub known: &'static Known,
-    /// In the file's tolerances, at most.
-    tolerances: f64,
+    /// In the stranger's own roundings, at most.
+    roundings: f64,
     /// In rad or rad/s, at most.
     pub apart: f64,
     /// Whether it is so in driven scenes, too.
     pub driven: bool,
 }
+
+/// What the file says of the stranger's name.
+#[derive(Clone, Debug)]
+pub enum Name {
+    /// It is this method, and no other one is near.
+    One(Match),
+    /// It can be any of these, the nearest first, for all that its digits tell.
+    OneOf(Vec<Match>),
+    /// It is none of them.
+    None,
+}
+
+impl Name {
+    /// The method, if it is one.
+    pub const fn one(&self) -> Option<Match> {
+        match self {
+            Self::One(found) => Some(*found),
+            _ => None,
+        }
+    }
+}
+
+/// How far off a stranger is from an entry.
+#[derive(Clone, Copy, Debug, Default)]
+struct Off {
+    /// In the file's tolerances, which allow for what the method makes of a rounding.
+    tolerances: f64,
+    /// In the stranger's own roundings.
+    roundings: f64,
+    /// In rad or rad/s.
+    apart: f64,
+}
+
+/// Another entry has to be so many times as far off before one is named.
+const ALONE: f64 = 10.0;
 
 impl Answers {
     /// Asks. What a stranger does not answer is left out, and so is what begins later than t = 0:
@@ -46,60 +81,84 @@ impl Answers {
         Ok(Self { runs, rounding: probe.rounding, tolerance })
     }
 
-    /// The largest distance of the answers of `known` that `asked` picks, in tolerances and in rad;
-    /// `None` if it is more than a tolerance, or if none of them is had.
-    fn off(&self, known: &Known, asked: impl Fn(&Scene) -> bool) -> Option<(f64, f64)> {
-        let mut largest: Option<(f64, f64)> = None;
+    /// The largest distance of the answers of `known` that `asked` picks; `None` if it is more than
+    /// `most` tolerances, or if none of them is had.
+    fn off(&self, known: &Known, most: f64, asked: impl Fn(&Scene) -> bool) -> Option<Off> {
+        let mut largest: Option<Off> = None;
         for answer in known.answers.iter().filter(|answer| asked(answer.scene)) {
             let run = self.runs.iter().find(|(scene, _)| scene.name == answer.scene.name);
             let Some(state) = run.and_then(|(_, states)| states.get(answer.steps as usize - 1))
             else {
                 continue;
             };
-            let (off, apart) = self.distance(answer, *state);
-            if off.is_nan() || off > 1.0 {
+            let off = self.distance(answer, *state);
+            if off.tolerances.is_nan() || off.tolerances > most {
                 return None;
             }
-            let (before, further) = largest.unwrap_or_default();
-            largest = Some((before.max(off), further.max(apart)));
+            let before = largest.unwrap_or_default();
+            largest = Some(Off {
+                tolerances: before.tolerances.max(off.tolerances),
+                roundings: before.roundings.max(off.roundings),
+                apart: before.apart.max(off.apart),
+            });
         }
         largest
     }
 
-    fn distance(&self, answer: &Answer, state: Phase) -> (f64, f64) {
+    fn distance(&self, answer: &Answer, state: Phase) -> Off {
         let Phase { theta, omega } = answer.state;
         let apart = libm::fmaximum((state.theta - theta).abs(), (state.omega - omega).abs());
         let size = theta.abs().max(omega.abs());
-        let allowed =
-            answer.tolerance * self.rounding * size + answer.steps as f64 * self.tolerance;
-        (apart / allowed, apart)
+        let tolerance = answer.steps as f64 * self.tolerance;
+        let allowed = answer.tolerance * self.rounding * size + tolerance;
+        let roundings = apart / (self.rounding * size + tolerance);
+        Off { tolerances: apart / allowed, roundings, apart }
     }
 
-    /// The method that it is: one that is so in driven scenes, too, if there is one, and the one of
-    /// the name that is claimed, and the nearest. In single precision more than one may fit.
-    pub fn method(&self, claims: &Claims) -> Option<Match> {
+    /// The method that it is: it agrees with that to its own rounding, and every other entry lies
+    /// ten times as far off. Entries that are one map where there is no drive are told apart by
+    /// driven scenes, or else by the name that is claimed.
+    pub fn method(&self, claims: &Claims) -> Name {
         let claimed = claims.method().map(|known| known.name.as_str());
         let all = known_answers::methods().iter().filter_map(|known| {
-            let (tolerances, apart) = self.off(known, |scene| scene.drive.is_none())?;
-            let driven = self.off(known, |scene| scene.drive.is_some()).is_some();
-            Some(Match { known, tolerances, apart, driven })
+            // Whatever its tolerance is, another entry can be as near as one that fits.
+            let off = self.off(known, f64::INFINITY, |scene| scene.drive.is_none())?;
+            let driven = self.off(known, 1.0, |scene| scene.drive.is_some()).is_some();
+            let found = Match { known, roundings: off.roundings, apart: off.apart, driven };
+            Some((found, off.tolerances <= 1.0))
         });
-        all.min_by(|a, b| {
-            let rank = |x: &Match| (!x.driven, Some(x.known.name.as_str()) != claimed);
-            rank(a).cmp(&rank(b)).then(a.tolerances.total_cmp(&b.tolerances))
-        })
+        let all: Vec<(Match, bool)> = all.collect();
+        let nearest =
+            |a: &&(Match, bool), b: &&(Match, bool)| a.0.roundings.total_cmp(&b.0.roundings);
+        let Some((best, _)) = all.iter().filter(|(_, fits)| *fits).min_by(nearest) else {
+            return Name::None;
+        };
+        let room = ALONE * best.roundings.max(1.0);
+        let mut near: Vec<Match> =
+            all.iter().map(|(found, _)| *found).filter(|found| found.roundings <= room).collect();
+        let rank = |x: &Match| (!x.driven, Some(x.known.name.as_str()) != claimed);
+        near.sort_by(|a, b| a.roundings.total_cmp(&b.roundings).then(rank(a).cmp(&rank(b))));
+        let (driven, not): (Vec<Match>, Vec<Match>) = near.iter().partition(|found| found.driven);
+        let those = if driven.is_empty() { not } else { driven };
+        // The same map has the same distance, to the bit.
+        match &those[..] {
+            [first, others @ ..] if others.iter().all(|x| x.roundings == first.roundings) => {
+                Name::One(*first)
+            }
+            _ => Name::OneOf(those),
+        }
     }
 
     /// The mistake that it makes, if it is not right in all scenes: the nearest, first of those in
     /// the method that is claimed. Single precision does not tell one from another.
     pub fn mistake(&self, claims: &Claims) -> Option<&'static Known> {
-        if self.rounding > 1e-12 || self.method(claims).is_some_and(|found| found.driven) {
+        if self.rounding > 1e-12 || self.method(claims).one().is_some_and(|found| found.driven) {
             return None;
         }
         let claimed = claims.method().map(|known| known.name.as_str());
         let all = known_answers::mistakes().iter().filter_map(|known| {
-            let (tolerances, _) = self.off(known, |_| true)?;
-            Some((known, tolerances))
+            let off = self.off(known, 1.0, |_| true)?;
+            Some((known, off.tolerances))
         });
         let other = |known: &Known| {
             let of = known.mistake.as_ref().map(|mistake| mistake.of.as_str());

@@ -7,6 +7,7 @@
 //! A method is of order p if the factors up to hᵖ are those of the exact motion.
 
 use super::probe::{G_OVER_L, Probe, exact};
+use super::series::{self, least_squares};
 use super::verdict::Measured;
 use crate::stranger::Request;
 use pendula::systems::Phase;
@@ -128,8 +129,9 @@ pub fn deviation_with(
     let told = told.into_iter().collect::<Measured<Vec<_>>>()?;
     for power in 1..=POWERS {
         let terms = TERMS[power - 1];
-        let fits: Vec<Vec<f64>> =
-            told.iter().map(|all| fitted(terms, starts, &all.by_power[power - 1])).collect();
+        let columns = columns(terms, starts);
+        let fitted = |all: &Coefficients| least_squares(&columns, &all.by_power[power - 1]);
+        let fits: Vec<Vec<f64>> = told.iter().map(fitted).collect();
         // The larger of what two lengths disagree by, and ten times what rounding may make; at the
         // length at which that is least.
         let known_to = |k: usize| {
@@ -145,7 +147,7 @@ pub fn deviation_with(
             continue;
         }
         // A step that is not made of evaluations of α has other terms.
-        let left = residual(terms, starts, &told[best].by_power[power - 1], &excess);
+        let left = series::residual(&columns, &excess, &told[best].by_power[power - 1]);
         let explained = left <= (1e-3 * largest).max(known_to) && largest > 30.0 * known_to;
         return Ok(explained.then_some(Deviation { power, excess, known_to }));
     }
@@ -166,10 +168,7 @@ fn coefficients(
     longest: f64,
 ) -> Measured<Coefficients> {
     let frequency = libm::sqrt(g_over_l);
-    let nodes: [f64; NODES] = core::array::from_fn(|i| {
-        let angle = core::f64::consts::PI * (i as f64 + 0.5) / NODES as f64;
-        0.5 * longest * (1.0 - libm::cos(angle))
-    });
+    let nodes = series::nodes::<NODES>(longest);
     let weights = weights(&nodes);
     // A state of up to 3 rad, and the end of the exact motion beside it, are rounded.
     let rounding = 8.0 * probe.rounding;
@@ -197,23 +196,12 @@ fn coefficients(
 }
 
 /// Weights of the values at the nodes whose sums are the coefficients of x, x², x³ and x⁴ of the
-/// polynomial through them that vanishes at 0: by Lagrange's polynomials, multiplied out.
+/// polynomial through them that vanishes at 0: x times the one through the values over x.
 fn weights(nodes: &[f64; NODES]) -> [[f64; NODES]; POWERS] {
-    let mut weights = [[0.0; NODES]; POWERS];
-    for (i, &node) in nodes.iter().enumerate() {
-        // The low coefficients of Π (x − xⱼ)/(xᵢ − xⱼ).
-        let mut product = [0.0; POWERS];
-        product[0] = 1.0;
-        for (j, &other) in nodes.iter().enumerate() {
-            if i != j {
-                for k in (0..POWERS).rev() {
-                    let lower = if k == 0 { 0.0 } else { product[k - 1] };
-                    product[k] = (lower - other * product[k]) / (node - other);
-                }
-            }
-        }
-        for (row, coefficient) in weights.iter_mut().zip(product) {
-            row[i] = coefficient / node;
+    let mut weights = series::weights::<NODES, POWERS>(nodes);
+    for row in &mut weights {
+        for (weight, node) in row.iter_mut().zip(nodes) {
+            *weight /= node;
         }
     }
     weights
@@ -224,46 +212,11 @@ fn at(term: &Term, [theta, q]: [f64; 2], part: usize) -> f64 {
     if term.of == part { (term.value)(theta, q) } else { 0.0 }
 }
 
-/// The factors with which the terms come nearest to `measured`: by the normal equations.
-fn fitted(terms: &[Term], starts: [[f64; 2]; 6], measured: &[f64]) -> Vec<f64> {
-    let n = terms.len();
-    let mut rows = vec![vec![0.0; n + 1]; n];
-    for (k, &value) in measured.iter().enumerate() {
-        let (start, part) = (starts[k / 2], k % 2);
-        for i in 0..n {
-            let here = at(&terms[i], start, part);
-            for j in 0..n {
-                rows[i][j] += here * at(&terms[j], start, part);
-            }
-            rows[i][n] += here * value;
-        }
-    }
-    // Positive definite: no pivoting.
-    for i in 0..n {
-        let (above, below) = rows.split_at_mut(i + 1);
-        for row in below {
-            let factor = row[i] / above[i][i];
-            for (entry, by) in row[i..].iter_mut().zip(&above[i][i..]) {
-                *entry -= factor * by;
-            }
-        }
-    }
-    let mut factors = vec![0.0; n];
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| rows[i][j] * factors[j]).sum();
-        factors[i] = (rows[i][n] - known) / rows[i][i];
-    }
-    factors
-}
-
-/// The largest part of `measured` that the terms leave.
-fn residual(terms: &[Term], starts: [[f64; 2]; 6], measured: &[f64], factors: &[f64]) -> f64 {
-    let left = measured.iter().enumerate().map(|(k, value)| {
-        let sum: f64 =
-            terms.iter().zip(factors).map(|(term, f)| f * at(term, starts[k / 2], k % 2)).sum();
-        (value - sum).abs()
-    });
-    left.fold(0.0, f64::max)
+/// The values of the terms at the starts, in both parts.
+fn columns(terms: &[Term], starts: [[f64; 2]; 6]) -> Vec<Vec<f64>> {
+    let places = || starts.iter().flat_map(|start| [(*start, 0), (*start, 1)]);
+    let column = |term| places().map(|(start, part)| at(term, start, part)).collect();
+    terms.iter().map(column).collect()
 }
 
 impl Deviation {

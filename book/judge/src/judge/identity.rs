@@ -3,12 +3,14 @@
 
 use core::fmt;
 
-use super::answers::Match;
+use super::answers::{Match, Name};
 use super::claims::Claims;
+use super::equation::Solver;
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
+use super::replies::DOUBLE;
 use super::report::{Finding, Scientific, about, raised};
 use super::verdict::{Measured, Trouble, Verdict};
-use crate::known_answers;
+use crate::known_answers::{self, Known};
 use crate::properties::error_constant::extrapolated;
 use crate::stranger::Request;
 use pendula::systems::{Phase, Separable};
@@ -79,34 +81,48 @@ pub struct Identity {
     pub seen: Seen,
     /// Whether only the angles are the method's, and the velocities are not.
     pub angles_only: bool,
+    /// The equation on which it is that method, if that is not the pendulum's.
+    pub on: Option<String>,
     /// By how much a step differs at most (rad).
     pub apart: f64,
 }
 
 impl Identity {
-    /// Whether the states are those of the method, from where it stands itself.
+    /// Whether the states are those of the method on the pendulum, from where it stands itself.
     pub fn is_plain(&self) -> bool {
-        self.seen == Seen::DIRECTLY && !self.angles_only
+        self.seen == Seen::DIRECTLY && !self.angles_only && self.on.is_none()
+    }
+
+    /// A method on another equation.
+    pub(super) fn solving(solver: Solver, equation: &str) -> Self {
+        let Solver { name, title, apart } = solver;
+        let on = Some(equation.to_string());
+        Self { method: name, title, seen: Seen::DIRECTLY, angles_only: false, on, apart }
     }
 }
 
-/// What is in the library has its names there.
+/// The name on the command line, and that in text, of an entry of the file: what is in the library
+/// has its names there.
+pub fn names(known: &'static Known) -> (&'static str, &'static str) {
+    let of_the_library = METHODS.iter().map(|method| method.info()).find(|info| {
+        known_answers::method(info.name).is_some_and(|entry| entry.name == known.name)
+    });
+    match of_the_library {
+        Some(info) => (info.name, info.title),
+        None => (known.name.as_str(), known.also.first().unwrap_or(&known.name).as_str()),
+    }
+}
+
 impl From<Match> for Identity {
     fn from(Match { known, apart, .. }: Match) -> Self {
-        let of_the_library = METHODS.iter().map(|method| method.info()).find(|info| {
-            known_answers::method(info.name).is_some_and(|entry| entry.name == known.name)
-        });
-        let (method, title) = match of_the_library {
-            Some(info) => (info.name, info.title),
-            None => (known.name.as_str(), known.also.first().unwrap_or(&known.name).as_str()),
-        };
-        Self { method, title, seen: Seen::DIRECTLY, angles_only: false, apart }
+        let (method, title) = names(known);
+        Self { method, title, seen: Seen::DIRECTLY, angles_only: false, on: None, apart }
     }
 }
 
 impl fmt::Display for Identity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { method, title, seen, angles_only, apart } = self;
+        let Self { method, title, seen, angles_only, on, apart } = self;
         f.write_str(title)?;
         if title != method {
             write!(f, " ({method})")?;
@@ -116,6 +132,9 @@ impl fmt::Display for Identity {
         }
         if *angles_only {
             f.write_str(", by its angles; the velocities are others")?;
+        }
+        if let Some(equation) = on {
+            write!(f, ", on {equation}")?;
         }
         match *apart {
             0.0 => f.write_str(", to the bit in eight steps"),
@@ -176,6 +195,11 @@ impl Asked {
         Ok(Self { runs, bound: rounding + 100.0 * tolerance })
     }
 
+    /// What rounding, and a tolerance inside it, may make of its states (rad).
+    pub const fn bound(&self) -> f64 {
+        self.bound
+    }
+
     /// By how much its states differ from those of `method`, as `apart` measures it (rad); `None`
     /// if by more than the bound, or `at_least` if that is more. Where a method has no solution,
     /// nothing is compared.
@@ -202,42 +226,82 @@ impl Asked {
     }
 }
 
+/// A method of the library that a stranger may be, seen from elsewhere or by its angles alone.
+type Candidate = (&'static dyn AnyMethod, Seen, f64);
+
 /// The known method that the stranger is, seen directly; else that of the library, seen from half a
 /// kick or drift away or by its angles alone, and of several that of the order `shown`.
-pub fn identify(
-    probe: &Probe<'_>,
-    known: Option<Match>,
-    shown: Option<u32>,
-) -> Measured<Option<Identity>> {
-    if let Some(found) = known {
-        return Ok(Some(Identity::from(found)));
+pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<Option<Identity>> {
+    match name {
+        Name::One(found) => return Ok(Some(Identity::from(*found))),
+        // What agrees with several methods is not looked at from elsewhere.
+        Name::OneOf(_) => return Ok(None),
+        Name::None => {}
     }
     let asked = Asked::of(probe)?;
-    let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
     let of_its_order = |method: &&dyn AnyMethod| Some(method.info().order) == shown;
     let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);
-    for (angles_only, methods) in [(false, &first), (false, &then), (true, &first), (true, &then)] {
-        let apart = if angles_only { angle } else { distance };
-        for seen in Seen::ALL {
-            // The angles do not show a kick at the end, and a drift is no other method's angle.
-            if if angles_only { seen.drifts != 0.0 } else { seen == Seen::DIRECTLY } {
-                continue;
-            }
-            for method in methods {
-                let own = |start, h, count| own_states(*method, seen, start, h, count);
-                if let Some(apart) = asked.apart(0.0, apart, own) {
-                    let MethodInfo { name, title, .. } = method.info();
-                    let identity = Identity { method: name, title, seen, angles_only, apart };
-                    return Ok(Some(identity));
-                }
-            }
-        }
+    let methods: Vec<&'static dyn AnyMethod> = first.into_iter().chain(then).collect();
+    for angles_only in [false, true] {
+        // Where the digits of double precision are cut off it may be seen directly, too.
+        let directly = probe.rounding > DOUBLE && !angles_only;
+        let found = from_elsewhere(&asked, &methods, angles_only, directly);
+        let Some((method, seen, apart)) = found else { continue };
+        let MethodInfo { name, title, .. } = method.info();
+        let identity = Identity { method: name, title, seen, angles_only, on: None, apart };
+        return Ok(Some(identity));
     }
     Ok(None)
 }
 
+/// The first of `methods` whose states, seen from elsewhere, are the stranger's; none if another
+/// one's lie within ten times that.
+fn from_elsewhere(
+    asked: &Asked,
+    methods: &[&'static dyn AnyMethod],
+    angles_only: bool,
+    directly: bool,
+) -> Option<Candidate> {
+    let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
+    let apart = if angles_only { angle } else { distance };
+    // The angles do not show a kick at the end, and a drift is no other method's angle.
+    let seen_from = |seen: &Seen| match angles_only {
+        true => seen.drifts == 0.0,
+        false => directly || *seen != Seen::DIRECTLY,
+    };
+    let mut near: Vec<Candidate> = Vec::new();
+    for seen in Seen::ALL.into_iter().filter(seen_from) {
+        for method in methods {
+            let own = |start, h, count| own_states(*method, seen, start, h, count);
+            let off = asked.apart(10.0 * asked.bound(), apart, own);
+            near.extend(off.map(|off| (*method, seen, off)));
+        }
+    }
+    let first = *near.iter().find(|(.., off)| *off <= asked.bound())?;
+    let best = near.iter().map(|(.., off)| *off).fold(f64::INFINITY, f64::min);
+    let room = (10.0 * best).max(asked.bound());
+    // Two that are one map, as a method and its conjugate, are one.
+    let same = |other: &Candidate| {
+        asked.runs.iter().all(|(start, h, _)| {
+            let [a, b] = [first, *other]
+                .map(|(method, seen, _)| own_states(method, seen, *start, *h, COUNT));
+            let (Some(a), Some(b)) = (a, b) else { return false };
+            let off = a.iter().zip(&b).map(|(a, b)| apart(*a, *b)).filter(|off| !off.is_nan());
+            off.fold(0.0, f64::max) <= SAME
+        })
+    };
+    near.iter().filter(|(.., off)| *off <= room).all(same).then_some(first)
+}
+
+/// By how much the states of one map, computed in two ways in double precision, may differ in eight
+/// steps (rad).
+const SAME: f64 = 1e-11;
+
 /// What is to be said of a claim to be the method `name`.
-pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Finding {
+pub fn judge(name: &Name, identity: Option<&Identity>, claims: &Claims) -> Finding {
+    if let Name::OneOf(those) = name {
+        return one_of(those, claims);
+    }
     let (verdict, why) = match identity {
         Some(identity) if identity.is_plain() && claims.is_named(identity.method) => {
             (Verdict::Holds, "its steps are those of the method".to_string())
@@ -248,6 +312,29 @@ pub fn judge(identity: Option<&Identity>, claims: &Claims) -> Finding {
     let measured = identity.map_or("none that is known", |identity| identity.method).to_string();
     let values = identity.map(|identity| identity.apart).into_iter().collect();
     Finding { measured, values, unit: "rad", verdict, why, ..Finding::default() }
+}
+
+/// The most methods of which it is said that it may be one.
+const MOST_NAMES: usize = 3;
+
+/// What it may be, for all that its digits tell.
+pub fn may_be(those: &[Match]) -> String {
+    let names: Vec<&str> = those.iter().map(|found| found.known.name.as_str()).collect();
+    match names.len() {
+        ..=MOST_NAMES => format!("one of: {}", names.join(", ")),
+        many => format!("one of {many} methods"),
+    }
+}
+
+fn one_of(those: &[Match], claims: &Claims) -> Finding {
+    let measured = may_be(those);
+    let claimed = those.iter().any(|found| claims.is_named(&found.known.name));
+    let (verdict, why) = match claimed {
+        true => (Verdict::Unclear, "its digits do not tell it from others"),
+        false => (Verdict::Fails, "its steps are not those of the method"),
+    };
+    let values = those.first().map(|found| found.apart).into_iter().collect();
+    Finding { measured, values, unit: "rad", verdict, why: why.to_string(), ..Finding::default() }
 }
 
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in

@@ -1,12 +1,14 @@
 //! What to look at where a claim fails: a cause, from what was measured, and what follows from it.
 
 use super::claims::Claims;
+use super::equation::{Departure, Kind, Place};
 use super::expansion::{self, Deviation};
+use super::identity::Identity;
 use super::probe::Probe;
 use super::report::{Finding, Report, about, raised};
 use super::resemblance::{self, Scaled};
 use super::verdict::{Measured, Verdict, told};
-use crate::known_answers::{Known, Mistake};
+use crate::known_answers::{self, Known, Mistake};
 
 /// A cause, and the properties that fail by it.
 struct Cause {
@@ -17,13 +19,43 @@ struct Cause {
 /// The most that is said.
 const MOST: usize = 3;
 
-/// What to look at, the cause of most failures first: nothing where every claim holds.
-pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Vec<String>> {
+/// What to look at, and what follows from it for the name.
+pub struct Looking {
+    /// At most [`MOST`], the cause of most failures first.
+    pub sentences: Vec<String>,
+    /// What the stranger is but for one thing.
+    pub resembles: Option<String>,
+}
+
+/// What to look at: nothing where every claim holds.
+pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looking> {
     let failed: Vec<&'static str> = report.failures().collect();
     let known = claims.are_none() && report.identity.is_some() && report.mistake.is_none();
-    if known || (failed.is_empty() && !claims.are_none()) || report.verdict == Verdict::NotMeasured
+    if (known && report.departure.is_none())
+        || (failed.is_empty() && !claims.are_none())
+        || report.verdict == Verdict::NotMeasured
     {
-        return Ok(Vec::new());
+        return Ok(Looking { sentences: Vec::new(), resembles: None });
+    }
+    let mut causes: Vec<Cause> = Vec::new();
+    let departure = report.departure.as_ref();
+    let of_output = departure.filter(|found| found.kind.place() == Place::Output);
+    causes.extend(of_output.map(changed_output));
+    if let Some(found) = departure.filter(|found| found.kind.place() == Place::Equation) {
+        // A factor of g/L may be half a kick that is missing.
+        let resembles = match Scaled::of(found) {
+            Some(Scaled::Gravity(_)) => told(resemblance::find(probe, claims, report))?.flatten(),
+            _ => None,
+        };
+        if let Some(it) = &resembles {
+            causes.push(resembles_in_words(format!("It is {it}")));
+            return Ok(Looking { sentences: in_words(causes, &failed), resembles });
+        }
+        causes.push(other_equation(found, report));
+        causes.extend(
+            report.mistake.map(|known| Cause { text: in_a_sentence(known), explains: &[] }),
+        );
+        return Ok(Looking { sentences: in_words(causes, &failed), resembles: None });
     }
     // What cannot be measured tells nothing; only a broken protocol ends the judging.
     let deviation = told(expansion::deviation(probe))?.flatten();
@@ -31,38 +63,100 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Vec<S
         let claimed = claims.order.unwrap_or(1);
         found.power <= claimed as usize
     });
-    let scaled = match &lost {
-        Some(found) if found.power == 1 => told(Scaled::of(probe, found))?.flatten(),
-        _ => None,
+    let resembles = match report.mistake {
+        Some(_) => None,
+        None => told(resemblance::find(probe, claims, report))?.flatten(),
     };
-    let alike = match report.mistake {
-        Some(mistake) => Some(in_a_sentence(mistake)),
-        None => told(resemblance::find(probe, claims, report, scaled.as_ref()))?.flatten(),
-    };
-    let mut causes: Vec<Cause> = Vec::new();
-    causes.extend(alike.clone().map(resembles));
-    match (&lost, scaled) {
+    let mistake = report.mistake.map(in_a_sentence);
+    let alike = mistake.or_else(|| resembles.as_ref().map(|it| in_one_name(it, report)));
+    causes.extend(alike.clone().map(resembles_in_words));
+    match &lost {
         // What it resembles says why the first term is wrong.
-        (Some(found), _) if found.power == 1 && alike.is_some() => {}
-        (_, Some(scaled)) => causes.push(other_problem(scaled)),
-        (Some(found), None) => causes.push(order_condition(found, claims.order)),
-        (None, None) => {}
+        Some(found) if found.power == 1 && alike.is_some() => {}
+        Some(found) => causes.push(order_condition(found, claims.order)),
+        None => causes.extend(report.finding("order").and_then(|order| falling(order, claims))),
     }
-    if lost.is_none() {
-        causes.extend(report.finding("order").and_then(|order| falling(order, claims)));
+    if alike.is_none() {
+        causes.extend(report.identity.as_ref().and_then(|known| its_own_entry(known, claims)));
     }
     causes.extend(report.finding("stage-times").and_then(|found| drive(found, report)));
-    causes.extend(report.finding("precision").and_then(precision));
+    let digits = of_output.is_some_and(|found| matches!(found.kind, Kind::Decimals | Kind::Digits));
+    if !digits {
+        causes.extend(report.finding("precision").and_then(precision));
+    }
     // What is lost on the way out and home is lost by the way back.
     if failed.contains(&"reversal") && failed.contains(&"loss") && alike.is_none() {
         let text = "A step with −h does not undo a step with h".to_string();
         causes.push(Cause { text, explains: &["reversal", "loss"] });
     }
-    if causes.is_empty() && report.identity.is_none() && !claims.are_none() {
+    let right = report.finding("equation").is_some_and(|found| found.verdict == Verdict::Holds);
+    if causes.is_empty() && report.identity.is_none() && !claims.are_none() && right {
         let nearest = told(resemblance::nearest(probe))?.flatten();
         causes.extend(nearest.map(|text| Cause { text, explains: &[] }));
     }
-    Ok(in_words(causes, &failed))
+    let resembles = if report.identity.is_some() { None } else { resembles };
+    Ok(Looking { sentences: in_words(causes, &failed), resembles })
+}
+
+/// What it resembles, under the name that it has.
+fn in_one_name(resembled: &str, report: &Report) -> String {
+    match &report.identity {
+        Some(identity) if !resembled.starts_with(identity.title) => {
+            format!("It is {}, which is {resembled}", identity.title)
+        }
+        _ => format!("It is {resembled}"),
+    }
+}
+
+/// A change of what is taken or handed out.
+fn changed_output(found: &Departure) -> Cause {
+    let text = format!("The adapter or the output: {}", lowered(&found.sentence));
+    Cause { text, explains: &["output", "turn", "precision"] }
+}
+
+/// A sentence as it goes on after a colon.
+fn lowered(sentence: &str) -> String {
+    let mut chars = sentence.chars();
+    chars.next().map_or_else(String::new, |first| first.to_lowercase().chain(chars).collect())
+}
+
+/// Another equation than the pendulum's, and the method on it.
+fn other_equation(found: &Departure, report: &Report) -> Cause {
+    let title = report.identity.as_ref().map(|identity| identity.title);
+    let text = match (Scaled::of(found), title) {
+        (Some(scaled), Some(title)) => format!("It is {title}, but {scaled}"),
+        (Some(scaled @ Scaled::Step(_)), None) => format!("It takes other steps: {scaled}"),
+        (Some(scaled), None) => format!("It solves another equation: {scaled}"),
+        (None, title) => {
+            let equation = found.equation.as_deref();
+            let named = equation.filter(|equation| !found.sentence.contains(equation));
+            let named = named.filter(|_| found.kind != Kind::NoKick && found.kind != Kind::NoDrift);
+            let named =
+                named.map(|equation| format!(". The equation is {equation}")).unwrap_or_default();
+            let otherwise = title.map(|title| format!(". Otherwise it is {title}"));
+            format!("{}{named}{}", found.sentence, otherwise.unwrap_or_default())
+        }
+    };
+    resembles_in_words(text)
+}
+
+/// A method that is known, whose own entry is other than what is claimed.
+fn its_own_entry(known: &Identity, claims: &Claims) -> Option<Cause> {
+    let entry = known_answers::method(known.method).filter(|_| known.is_plain())?;
+    let claimed = claims.order.filter(|claimed| *claimed > entry.order)?;
+    let (title, order) = (known.title, entry.order);
+    // Of an embedded pair both results have the name of the pair: fehlberg-4 and fehlberg-5.
+    let pair =
+        entry.name.strip_suffix(&format!("-{order}")).map(|pair| format!("{pair}-{claimed}"));
+    let other = pair.and_then(|name| known_answers::methods().iter().find(|it| it.name == name));
+    let text = match other {
+        Some(other) => format!(
+            "It hands on the result of order {order} of a pair, {}; order {claimed} is that of {}",
+            entry.name, other.name
+        ),
+        None => format!("The claim is wrong: {title} is of order {order}, not {claimed}"),
+    };
+    Some(Cause { text, explains: &["order", "stage-times"] })
 }
 
 /// The sentences: each failure with the first cause that explains it.
@@ -73,6 +167,9 @@ fn in_words(causes: Vec<Cause>, failed: &[&'static str]) -> Vec<String> {
         let (follow, others): (Vec<_>, Vec<_>) =
             left.into_iter().partition(|name| explains.contains(name));
         left = others;
+        // That the equation or the output is another is what the sentence says.
+        let said = |name: &&str| matches!(*name, "equation" | "output");
+        let follow: Vec<&str> = follow.into_iter().filter(|name| !said(name)).collect();
         lines.push(match &follow[..] {
             [] => format!("{text}."),
             names => format!("{text}. From this follows what fails in {}.", listed(names)),
@@ -98,8 +195,9 @@ fn in_a_sentence(known: &Known) -> String {
 }
 
 /// What it is but for one thing.
-fn resembles(text: String) -> Cause {
+fn resembles_in_words(text: String) -> Cause {
     let explains = &[
+        "equation",
         "order",
         "area",
         "reversal",
@@ -112,20 +210,6 @@ fn resembles(text: String) -> Cause {
         "name",
         "stage-times",
     ];
-    Cause { text, explains }
-}
-
-/// Another step or another equation than is asked for.
-fn other_problem(scaled: Scaled) -> Cause {
-    let explains: &[&str] = match scaled {
-        Scaled::Step(_) => &["order", "stage-times", "units", "clock"],
-        Scaled::Gravity(_) => &["order", "stage-times"],
-        Scaled::Fixed(_) => &["order", "stage-times", "units", "loss"],
-    };
-    let text = match scaled {
-        Scaled::Step(_) => format!("It takes other steps: {scaled}"),
-        _ => format!("It solves another equation: {scaled}"),
-    };
     Cause { text, explains }
 }
 

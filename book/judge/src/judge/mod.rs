@@ -4,6 +4,7 @@ mod answers;
 mod area;
 mod claims;
 mod energy;
+mod equation;
 mod expansion;
 mod identity;
 mod look;
@@ -14,6 +15,7 @@ mod replies;
 mod report;
 mod resemblance;
 mod reversal;
+mod series;
 mod stage_times;
 mod symmetry;
 // They look at what the judge keeps to itself.
@@ -23,14 +25,17 @@ mod thresholds;
 mod verdict;
 
 pub use claims::{ClaimError, Claims};
+pub use equation::{Departure, Kind, Place};
 pub use identity::{Identity, Seen};
 pub use look::sign_of_slopes;
 pub use report::{Evidence, Finding, Report, Scientific, scientific};
 pub use verdict::Verdict;
 
-use answers::Answers;
+use answers::{Answers, Name};
+use equation::{Looked, Undo, Undone};
+use look::Looking;
 use probe::Probe;
-use verdict::{Measured, Trouble};
+use verdict::{Measured, Trouble, told};
 
 use super::stranger::{Fault, Stranger};
 
@@ -57,26 +62,92 @@ pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Faul
     })
 }
 
-/// What is found of `stranger`.
+/// What is found of `stranger`: of its own states, if what it takes or hands out was changed in a
+/// way that can be undone.
 fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
     let probe = Probe::new(stranger)?;
+    if let Some((departure, undo)) = told(equation::output(stranger, &probe))?.flatten() {
+        return behind(&Undone { stranger, undo }, claims, departure);
+    }
+    let (ready, looked) = ready(stranger, probe, claims)?;
+    if let Ok(Some((Looked { departure: Some(departure), .. }, Some(undo)))) = looked {
+        return behind(&Undone { stranger, undo }, claims, departure);
+    }
+    properties(ready, without_undo(looked), claims, None)
+}
+
+/// What is found of the program behind a change of what it takes or hands out.
+fn behind(stranger: &dyn Stranger, claims: &Claims, output: Departure) -> Measured<Report> {
+    let (ready, looked) = ready(stranger, Probe::new(stranger)?, claims)?;
+    properties(ready, without_undo(looked), claims, Some(output))
+}
+
+/// A stranger of which all is measured that has to be before anything is asked, and its answers in
+/// the scenes of the known answers.
+type Ready<'s> = (Probe<'s>, Answers);
+
+/// What was found of the equation, with what undoes a change of output: nothing where the stranger
+/// is a method that is known, whose equation is the pendulum's.
+type Equation = Measured<Option<(Looked, Option<Undo>)>>;
+
+fn without_undo(looked: Equation) -> Measured<Option<Looked>> {
+    looked.map(|looked| looked.map(|(looked, _)| looked))
+}
+
+/// The stranger, ready to be judged, and its equation.
+fn ready<'s>(
+    stranger: &'s dyn Stranger,
+    probe: Probe<'s>,
+    claims: &Claims,
+) -> Measured<(Ready<'s>, Equation)> {
     let tolerance = symmetry::tolerance(&probe)?;
     let probe = probe.with_tolerance(tolerance);
     let answers = Answers::of(&probe)?;
-    let mut judge = Judge { probe, answers, claims, report: Report::default() };
+    let looked = match answers.method(claims).one() {
+        Some(_) => Ok(None),
+        None => equation::look(stranger, &probe).map(Some),
+    };
+    match looked {
+        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
+        looked => Ok(((probe, answers), looked)),
+    }
+}
+
+/// The report, property by property.
+fn properties(
+    (probe, answers): Ready<'_>,
+    looked: Measured<Option<Looked>>,
+    claims: &Claims,
+    output: Option<Departure>,
+) -> Measured<Report> {
+    let cut_off = match probe.measured_rounding {
+        Ok(rounding) if rounding > replies::DOUBLE => told(equation::cut_off(&probe))?.flatten(),
+        _ => None,
+    };
+    let name = answers.method(claims);
+    let report = Report { departure: output, ..Report::default() };
+    let mut judge = Judge { probe, answers, name, looked, cut_off, claims, report };
     judge.take_all()?;
     judge.report.conclude(claims.are_none());
-    if claims.are_none() || judge.report.failures().next().is_some() {
-        judge.report.mistake = judge.answers.mistake(claims);
+    judge.mistake();
+    let Looking { sentences, resembles } = look::at(&judge.probe, claims, &judge.report)?;
+    let mut report = judge.report;
+    // One name: what it is but for one thing goes before the same on another equation.
+    if resembles.is_some() {
+        report.identity = report.identity.filter(|identity| identity.on.is_none());
     }
-    judge.report.look_at = look::at(&judge.probe, claims, &judge.report)?;
-    Ok(judge.report)
+    Ok(Report { look_at: sentences, resembles, ..report })
 }
 
 /// The report as it grows.
 struct Judge<'s> {
     probe: Probe<'s>,
     answers: Answers,
+    name: Name,
+    /// What was found of the equation, unless the method is known.
+    looked: Measured<Option<Looked>>,
+    /// What is cut off of the numbers.
+    cut_off: Option<Departure>,
     claims: &'s Claims,
     report: Report,
 }
@@ -125,6 +196,7 @@ impl Judge<'_> {
     /// Takes the properties one after the other.
     fn take_all(&mut self) -> Measured<()> {
         let claims = self.claims;
+        self.equation()?;
         let order = self.order()?;
         let symplectic = claims.symplectic.then(|| "symplectic".to_string());
         let (_, area) = self.note("area", symplectic, area::largest(&self.probe), area::judge)?;
@@ -141,6 +213,40 @@ impl Judge<'_> {
         self.report.evidence.square = area::square(&self.probe).ok();
         self.report.evidence.way = reversal::drawn(&self.probe).ok();
         Ok(())
+    }
+
+    /// The equation that is solved, and the form of what is taken and handed out.
+    fn equation(&mut self) -> Measured<()> {
+        let found = core::mem::replace(&mut self.looked, Ok(None));
+        let told = equation::Told::new(&found, self.report.departure.take(), self.name.one());
+        self.looked = found;
+        let claimed = |found: &Measured<Finding>| found.as_ref().ok().and_then(|_| self.implied());
+        let [of_equation, of_output] = [claimed(&told.equation), claimed(&told.output)];
+        self.note("equation", of_equation, told.equation, Finding::clone)?;
+        self.note("output", of_output, told.output, Finding::clone)?;
+        self.report.departure = told.departure;
+        self.report.evidence.force = told.force;
+        Ok(())
+    }
+
+    /// The known mistake that it makes, if a claim fails or none is made. It has one name: that of
+    /// the mistake, unless it is a method but for what the mistake is made with.
+    fn mistake(&mut self) {
+        if !self.claims.are_none() && self.report.failures().next().is_none() {
+            return;
+        }
+        self.report.mistake = self.answers.mistake(self.claims);
+        let of = self.report.mistake.and_then(|known| known.mistake.as_ref());
+        let Some(of) = of.map(|mistake| mistake.of.as_str()) else { return };
+        let other = |identity: &Identity| identity.on.is_none() && identity.method != of;
+        self.report.identity = self.report.identity.take().filter(|identity| !other(identity));
+        let name = self.report.mistake.map(|known| known.name.clone()).unwrap_or_default();
+        let unnamed = self.report.identity.is_none();
+        let findings = self.report.findings.iter_mut();
+        for finding in findings.filter(|finding| finding.name == "name" && unnamed) {
+            finding.measured = format!("the known mistake {name}");
+            finding.why = format!("its steps are those of the known mistake {name}");
+        }
     }
 
     /// The order: as claimed, or as found.
@@ -162,8 +268,16 @@ impl Judge<'_> {
         self.note("mirror", self.implied(), apart, |apart| apart.judge(false))?;
         let apart = symmetry::units(&self.probe);
         self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
+        let wrapped = self.report.departure.clone().filter(|found| found.kind == Kind::Wrapped);
         let apart = symmetry::turn(&self.probe);
-        self.note("turn", self.implied(), apart, |apart| apart.judge(true))?;
+        self.note("turn", self.implied(), apart, |apart| match &wrapped {
+            Some(departure) => Finding {
+                measured: departure.sentence.clone(),
+                why: equation::NOT_THE_METHOD.to_string(),
+                ..Finding::number(apart.largest, "rad", apart.bound, Verdict::Fails)
+            },
+            None => apart.judge(true),
+        })?;
         let clock = replies::clock(&self.probe);
         self.note("clock", self.implied(), clock, replies::Clock::judge)?;
         let claimed = self.claims.evaluations;
@@ -175,23 +289,27 @@ impl Judge<'_> {
         let other = replies::other_answers(&self.probe);
         self.note("repeatable", self.implied(), other, |&other| replies::judge_repeatable(other))?;
         let rounding = self.probe.measured_rounding.clone();
+        let cut_off = self.cut_off.take();
         self.note("precision", self.implied(), rounding, |&rounding| {
-            replies::judge_precision(rounding)
+            replies::judge_precision(rounding, cut_off.as_ref())
         })?;
+        self.report.departure = self.report.departure.take().or(cut_off);
         Ok(())
     }
 
     /// What it is, and what follows from it: loss and name.
     fn identity(&mut self, shown: Shown) -> Measured<()> {
-        let named = self.answers.method(self.claims);
-        let identity = match identity::identify(&self.probe, named, shown.order) {
+        let identity = match self.identified(shown.order) {
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
             identity => identity,
         };
         let known = identity.as_ref().ok().and_then(Option::as_ref).cloned();
         let claims = self.claims;
         // Only of what the library has can the energy be compared.
-        let listed = known.as_ref().filter(|known| pendula::method_named(known.method).is_some());
+        let listed = known.as_ref().filter(|known| {
+            let own = known.on.is_none() && !known.angles_only;
+            own && pendula::method_named(known.method).is_some()
+        });
         let is = |verdict| verdict == Verdict::Holds;
         let loss = loss::measure(
             &self.probe,
@@ -205,13 +323,30 @@ impl Judge<'_> {
             Err(Trouble::NoAnswer("it has nothing that would not lose".to_string()))
         });
         self.note("loss", claimed, loss, loss::Loss::judge)?;
-        let name = claims.name.clone();
-        self.note("name", name.clone(), identity, |identity| {
-            identity::judge(identity.as_ref(), claims)
+        let name = self.name.clone();
+        self.note("name", claims.name.clone(), identity, |identity| {
+            identity::judge(&name, identity.as_ref(), claims)
         })?;
         self.description(shown);
         self.report.identity = known;
         Ok(())
+    }
+
+    /// The method that it is, on the equation that it solves.
+    fn identified(&self, shown: Option<u32>) -> Measured<Option<Identity>> {
+        let looked = match &self.looked {
+            Ok(Some(looked)) => looked,
+            _ => return identity::identify(&self.probe, &self.name, shown),
+        };
+        let Looked { departure, solved, .. } = looked;
+        let Some(departure) = departure.as_ref().filter(|it| it.kind.place() == Place::Equation)
+        else {
+            return identity::identify(&self.probe, &self.name, shown);
+        };
+        let Some(solved) = solved else { return Ok(None) };
+        let solver = solved.method(&identity::Asked::of(&self.probe)?);
+        let equation = departure.equation.as_deref().unwrap_or("another equation");
+        Ok(solver.map(|solver| Identity::solving(solver, equation)))
     }
 
     /// What is to be said of a step that is none of the list's.
@@ -234,6 +369,16 @@ impl Judge<'_> {
         let properties: Vec<String> = properties.into_iter().flatten().collect();
         let error = shown.order.filter(|order| (1..=8).contains(order));
         let error = error.and_then(|order| identity::error_in_words(&self.probe, order).ok());
+        if let Name::OneOf(those) = &self.name {
+            let those = identity::may_be(those);
+            self.report.description = format!("{those}, for all that its digits tell");
+            return;
+        }
+        let departure = self.report.departure.as_ref();
+        if let Some(equation) = departure.and_then(|found| found.equation.as_deref()) {
+            self.report.description = format!("none of the known methods, on {equation}");
+            return;
+        }
         self.report.description = if properties.is_empty() {
             "not known, as nothing that would tell was measured".to_string()
         } else {

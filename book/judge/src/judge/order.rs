@@ -149,9 +149,12 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     if off(&last) <= 0.2 + bent {
         return (Verdict::Holds, "the slopes tend to it as the steps become short".to_string());
     }
+    if let Some(verdict) = beyond(ladder, claimed, order) {
+        return verdict;
+    }
     let moved = finest.len() < 2 || (last - finest[finest.len() - 2]).abs() > 0.1;
     let towards = moved && off(&last) < off(&finest[finest.len().saturating_sub(2)]);
-    // Settled on another whole number: more than what is claimed is a wrong claim, too.
+    // Settled on another whole number.
     let whole = libm::round(last);
     let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
     let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
@@ -161,6 +164,22 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     } else {
         (Verdict::Unclear, format!("the finest slope is {told}, on its way or between orders"))
     }
+}
+
+/// The verdict where no order is claimed that would have to be told from its neighbours: of errors
+/// that grow as the steps become short, and of a method that is better than claimed.
+fn beyond(ladder: &Ladder, claimed: u32, order: f64) -> Option<(Verdict, String)> {
+    let Ladder { rungs, slopes, leading } = ladder;
+    let grows = |pair: &[(f64, f64)]| pair[1].1 > 1.1 * pair[0].1;
+    if rungs.len() >= 4 && rungs[rungs.len() - 4..].windows(2).all(grows) {
+        let why = "the shorter the step, the larger the error";
+        return Some((Verdict::Fails, why.to_string()));
+    }
+    // At least two slopes are half an order steeper, and none less than what is claimed.
+    let finest = &slopes[*leading..];
+    let steep = finest.len() >= 2 && finest[finest.len() - 2..].iter().all(|s| *s > order + 0.5);
+    let shown = shown(ladder).filter(|shown| *shown > claimed)?;
+    steep.then(|| (Verdict::Holds, format!("better: {shown}, not {claimed}")))
 }
 
 /// The same beyond order 8. At steps that are not short against the motion's own time an error is

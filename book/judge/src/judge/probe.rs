@@ -144,12 +144,13 @@ impl<'s> Probe<'s> {
 
     /// The rounding of a step, relative to a state of order 1.
     ///
-    /// Along sixteen starts, 2⁻²⁰ apart, the end of a smooth map has third differences of 10⁻²⁰;
-    /// what is found beyond is rounding, of which a third difference has √20 times. A map that
-    /// rounds more coarsely than the starts are apart would show none: so the ends must be apart as
-    /// the derivative says, which a hundredth to either side tells to a thousandth.
+    /// Along sixteen starts, 10⁻⁶ apart, the end of a smooth map has third differences of 10⁻²⁰;
+    /// what is found beyond is rounding, of which a third difference has √20 times. (Starts that
+    /// are a power of two apart would round alike in a map that only moves them.) A map that rounds
+    /// more coarsely than the starts are apart would show none: so the ends must be apart as the
+    /// derivative says, which a hundredth to either side tells to a thousandth.
     fn measure_rounding(&self) -> Measured<f64> {
-        const APART: f64 = 1.0 / 1_048_576.0;
+        const APART: f64 = 1e-6;
         let h = step(0.1);
         let mut largest = 0.0_f64;
         for (theta, omega) in [(0.9, 0.3), (-0.7, 2.1)] {

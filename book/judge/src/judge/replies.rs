@@ -1,6 +1,7 @@
 //! The replies themselves: whether the same request has the same one, whether n steps are n·h, how
 //! numbers round, and the evaluations that are counted.
 
+use super::equation::Departure;
 use super::probe::{Probe, distance, step};
 use super::report::{Finding, about};
 use super::verdict::{Measured, Verdict};
@@ -117,15 +118,20 @@ impl Clock {
 /// The rounding of a step, relative to a state of order 1, that a computation in double precision
 /// stays below: an f64 rounds by 1.1·10⁻¹⁶, and a step of a hundred operations, or one that is
 /// solved to the last digits, by some times that.
-const DOUBLE: f64 = 2e-14;
+pub const DOUBLE: f64 = 2e-14;
 /// And what no double precision explains; single precision makes 6·10⁻⁸.
 const COARSER: f64 = 1e-11;
 
-/// What is to be said of a claim of double precision.
-pub fn judge_precision(rounding: f64) -> Finding {
+/// What is to be said of a claim of double precision, of a program that may have cut off digits of
+/// its numbers.
+pub fn judge_precision(rounding: f64, cut_off: Option<&Departure>) -> Finding {
+    let why = match cut_off {
+        Some(cut_off) => cut_off.sentence.clone(),
+        None => format!("a step rounds by {} of a state of order 1", about(rounding)),
+    };
     Finding {
         measured: about(rounding).to_string(),
-        why: format!("a step rounds by {} of a state of order 1", about(rounding)),
+        why,
         ..Finding::number(rounding, "", DOUBLE, Verdict::of(rounding, DOUBLE, COARSER))
     }
 }

@@ -2,9 +2,10 @@
 
 use core::fmt;
 
-use super::identity::Identity;
+use super::equation::Departure;
+use super::identity::{self, Identity};
 use super::verdict::{Trouble, Verdict};
-use crate::known_answers::Known;
+use crate::known_answers::{self, Known};
 use pendula::systems::Phase;
 
 /// What was found of one property.
@@ -67,6 +68,8 @@ pub struct Evidence {
     pub square: Option<([Phase; 4], [Phase; 4])>,
     /// States on a way out from the start on, and of the way back.
     pub way: Option<(Vec<Phase>, Vec<Phase>)>,
+    /// Angle (rad) and the force that acts there, in units of g/L, if it is not the pendulum's.
+    pub force: Vec<(f64, f64)>,
 }
 
 /// What the judge found.
@@ -78,6 +81,11 @@ pub struct Report {
     pub verdict: Verdict,
     /// The known method that it really is, if it is one.
     pub identity: Option<Identity>,
+    /// In what it departs from the pendulum that is asked for, if it does.
+    pub departure: Option<Departure>,
+    /// What it is but for one thing, if a claim fails: "Störmer–Verlet, but each step lacks its
+    /// first half kick".
+    pub resembles: Option<String>,
     /// The known mistake that it makes, if a claim fails or none is made.
     pub mistake: Option<&'static Known>,
     /// What is to be said of its step where it is none: order, symmetry and leading error.
@@ -123,10 +131,15 @@ impl Report {
 
     /// What it is, in words without a full stop.
     pub fn what_it_is(&self) -> String {
-        match &self.identity {
-            Some(identity) => identity.to_string(),
-            None => self.description.clone(),
-        }
+        let of_mistake = || {
+            let known = self.mistake?;
+            let of = known_answers::method(&known.mistake.as_ref()?.of)?;
+            let (_, title) = identity::names(of);
+            Some(format!("{title} with a known mistake, {}", known.name))
+        };
+        let identity = self.identity.as_ref().map(Identity::to_string);
+        let known = identity.or_else(of_mistake).or_else(|| self.resembles.clone());
+        known.unwrap_or_else(|| self.description.clone())
     }
 
     /// Whether claims were made.

@@ -3,9 +3,9 @@
 use core::fmt;
 
 use super::claims::Claims;
-use super::expansion::{self, Deviation};
+use super::equation::{Departure, Kind};
 use super::identity::{Asked, Identity, Seen, own_states};
-use super::probe::{G_OVER_L, Probe, distance, frequency, states_after, step};
+use super::probe::{G_OVER_L, Probe, distance, exact, frequency, states_after, step};
 use super::report::{Report, Scientific, raised};
 use super::verdict::Measured;
 use crate::stranger::Request;
@@ -27,13 +27,11 @@ enum But {
     WithoutFirstHalfKick,
     /// Each step lacks its last half kick.
     WithoutLastHalfKick,
-    /// Its step or its g/L is another.
-    Scaled(Scaled),
 }
 
-/// That a stranger is the method of this title, but for one thing.
+/// What a stranger is: the method of this title, but for one thing.
 fn in_words(title: &str, but: But) -> String {
-    let it = format!("It is {title}");
+    let it = title.to_string();
     match but {
         But::Nothing => it,
         But::Seen(seen) if seen.drifts == 0.0 => format!(
@@ -50,17 +48,15 @@ fn in_words(title: &str, but: But) -> String {
         But::Begun(seen) => format!("{it}, but begun {seen} of the state that it is given"),
         But::WithoutFirstHalfKick => format!("{it}, but each step lacks its first half kick"),
         But::WithoutLastHalfKick => format!("{it}, but each step lacks its last half kick"),
-        But::Scaled(scaled) => format!("{it}, but {scaled}"),
     }
 }
 
-/// Every one thing, with the scale that the first terms of the step show.
-fn every(scaled: Option<&Scaled>) -> Vec<But> {
+/// Every one thing.
+fn every() -> Vec<But> {
     let mut all: Vec<But> = Seen::elsewhere().map(But::Seen).collect();
     all.extend(Seen::elsewhere().map(But::Reported));
     all.extend(Seen::elsewhere().map(But::Begun));
     all.extend([But::WithoutFirstHalfKick, But::WithoutLastHalfKick]);
-    all.extend(scaled.map(|scaled| But::Scaled(*scaled)));
     all
 }
 
@@ -96,37 +92,22 @@ fn states(
                 })
                 .collect()
         }
-        But::Scaled(Scaled::Step(times)) => run(G_OVER_L, start, times * h, count),
-        But::Scaled(Scaled::Gravity(times)) => run(times * G_OVER_L, start, h, count),
-        But::Scaled(Scaled::Fixed(g_over_l)) => run(g_over_l, start, h, count),
     }
-}
-
-/// Whether the stranger's states are those.
-fn is(asked: &Asked, method: &dyn AnyMethod, but: But) -> bool {
-    // The scale is known from the first terms of a step, to less than a state is.
-    let bound = if matches!(but, But::Scaled(_)) { 1e-9 } else { 0.0 };
-    let own = |start, h, count| states(method, but, start, h, count);
-    asked.apart(bound, distance, own).is_some()
 }
 
 /// Whether the entry of a method has what is claimed.
 fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
     let entry = method.info();
-    claims.order.is_none_or(|order| order == entry.order)
+    claims.order.is_none_or(|order| order <= entry.order)
         && (!claims.symplectic || entry.symplectic)
         && (!claims.symmetric || entry.symmetric)
         && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
 /// What the stranger is but for one thing, in words: first a method of the library that has what is
-/// claimed, then any other.
-pub fn find(
-    probe: &Probe<'_>,
-    claims: &Claims,
-    report: &Report,
-    scaled: Option<&Scaled>,
-) -> Measured<Option<String>> {
+/// claimed, then any other. Of several that are near, none is named unless the digits of double
+/// precision tell that they are one map.
+pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Option<String>> {
     let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
     let is_itself = |identity: &Identity| {
         METHODS.iter().any(|method| method.info().name == identity.method && fits(*method, claims))
@@ -135,13 +116,25 @@ pub fn find(
         return Ok(None);
     }
     let asked = Asked::of(probe)?;
-    let every = every(scaled);
+    let every = every();
     let (fitting, others): (Vec<_>, Vec<_>) =
         METHODS.iter().copied().partition(|method| fits(*method, claims));
+    let told_apart = probe.rounding < 1e-12;
     let resembling = |methods: &[&dyn AnyMethod]| {
         let pairs = every.iter().flat_map(|but| methods.iter().map(move |method| (*but, *method)));
-        let mut those = pairs.filter(|(but, method)| is(&asked, *method, *but));
-        those.next().map(|(but, method)| in_words(method.info().title, but))
+        let near = |room: f64, but: But, method: &dyn AnyMethod| {
+            let own = |start, h, count| states(method, but, start, h, count);
+            asked.apart(room, distance, own).is_some()
+        };
+        let mut those = pairs.filter(|(but, method)| near(0.0, *but, *method));
+        let (but, method) = those.next()?;
+        let alone = told_apart || {
+            let every = || [But::Nothing].into_iter().chain(every.iter().copied());
+            let all = METHODS.iter().flat_map(|other| every().map(move |but| (but, *other)));
+            let mut near = all.filter(|(but, other)| near(10.0 * asked.bound(), *but, *other));
+            near.all(|(_, other)| other.info().name == method.info().name)
+        };
+        alone.then(|| in_words(method.info().title, but))
     };
     // What is on the list has its name already; there only the method that is claimed helps.
     let anything_fits = claims.order.is_some() || claims.name.is_some();
@@ -188,6 +181,18 @@ pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
     if !(1.0..=9.0).contains(&power) || short > 0.01 {
         return Ok(None);
     }
+    // It says something only where the step parts from it later than from the exact motion.
+    let from_the_motion = [0, 1].map(|row| {
+        let apart = ends[row]
+            .iter()
+            .zip(STARTS)
+            .map(|(end, start)| distance(*end, exact(G_OVER_L, start).at(step(X[row]))));
+        apart.fold(0.0, libm::fmaximum)
+    });
+    let wrong_from = libm::round(libm::log2(from_the_motion[0] / from_the_motion[1]));
+    if power <= wrong_from {
+        return Ok(None);
+    }
     let factor = Scientific(short / libm::pow(X[1], power), 1);
     Ok(Some(format!(
         "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x \
@@ -213,23 +218,15 @@ pub enum Scaled {
 }
 
 impl Scaled {
-    /// By the factors of h: those of ω in θ and of α in ω.
-    pub fn of(probe: &Probe<'_>, found: &Deviation) -> Measured<Option<Self>> {
-        let [drift, kick] = [found.excess[0], found.excess[1]];
-        let small = |x: f64, beside: f64| x.abs() <= 1e-3 * beside.abs() + found.known_to;
-        if small(drift - kick, drift) {
-            return Ok(Some(Self::Step(1.0 + drift)));
+    /// Of a departure that is no more than that.
+    pub fn of(departure: &Departure) -> Option<Self> {
+        let value = *departure.values.first()?;
+        match departure.kind {
+            Kind::Step => Some(Self::Step(value)),
+            Kind::Gravity => Some(Self::Gravity(value)),
+            Kind::FixedGravity => Some(Self::Fixed(value)),
+            _ => None,
         }
-        if !small(drift, kick) {
-            return Ok(None);
-        }
-        // Asked for twice as much, is it twice as much?
-        let solved = G_OVER_L * (1.0 + kick);
-        let twice = expansion::deviation_with(probe, 2.0 * G_OVER_L, expansion::STARTS)?;
-        let other = twice.filter(|twice| twice.power == 1).map_or(0.0, |twice| twice.excess[1]);
-        let other = 2.0 * G_OVER_L * (1.0 + other);
-        let fixed = (other - solved).abs() <= 1e-3 * solved.abs();
-        Ok(Some(if fixed { Self::Fixed(solved) } else { Self::Gravity(1.0 + kick) }))
     }
 }
 
@@ -237,12 +234,19 @@ impl fmt::Display for Scaled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Step(times) if (times + 1.0).abs() < 1e-6 => f.write_str("run backwards"),
+            Self::Step(0.001) => {
+                f.write_str("its step is 0.001 h: milliseconds are taken for seconds")
+            }
+            Self::Step(1000.0) => {
+                f.write_str("its step is 1000 h: seconds are taken for milliseconds")
+            }
             Self::Step(times) => {
                 write!(f, "its step is {} h{}", times_in_words(times), right_to(times))
             }
             Self::Gravity(times) => {
                 let (times, right) = (times_in_words(times), right_to(times));
-                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")
+                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")?;
+                if times == "1.5" { f.write_str("; a uniform rod has 1.5 g/L") } else { Ok(()) }
             }
             Self::Fixed(g_over_l) => {
                 let text = format!("{g_over_l:.6}");

@@ -93,6 +93,7 @@ fn drawings(report: &Report, claims: &Claims) -> String {
 /// The figures there is evidence for: what the judge has measured, drawn as the book draws.
 fn figures(evidence: &Evidence, claims: &Claims) -> Vec<String> {
     let figures = [
+        force(&evidence.force),
         ladder(&evidence.ladder, claims.order),
         energy(&evidence.energy),
         evidence.square.as_ref().and_then(square),
@@ -111,6 +112,23 @@ fn drawn(id: &str, title: &str, caption: &str, chart: Chart) -> String {
 const MEASURED: Style = Style::numbered(0);
 /// What it is compared with.
 const OTHER: Style = Style::numbered(1);
+
+/// The force that was found beside the sine, where it is another one.
+fn force(force: &[(f64, f64)]) -> Option<String> {
+    let (least, most) = (force.first()?.0, force.last()?.0);
+    let sine = (0..=100).map(|k| {
+        let theta = least + (most - least) * f64::from(k) / 100.0;
+        (theta, -libm::sin(theta))
+    });
+    let chart = Chart::new(Axis::linear("θ (rad)"), Axis::linear("force/(g/L)"))
+        .height(240.0)
+        .series("−sin θ", Style::REFERENCE, sine)
+        .series("found", MEASURED.markers_only(), force.iter().copied());
+    let caption = "The change of ω in a short step, over its length, at fourteen states, in units \
+                   of g/L; the line is the pendulum's force.";
+    let finite = force.iter().all(|(_, force)| force.is_finite());
+    finite.then(|| drawn("force", "The force that was found", caption, chart))
+}
 
 /// Error against step, with the slope that is claimed.
 fn ladder(ladder: &[(f64, f64)], order: Option<u32>) -> Option<String> {
@@ -224,10 +242,11 @@ mod tests {
         let mut evidence = Evidence::default();
         evidence.ladder = vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)];
         evidence.energy = vec![(0.0, 0.0), (1.0, 1e-3)];
+        evidence.force = vec![(-1.0, 1.0), (2.0, -2.0)];
         evidence.square = Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega))));
         evidence.way = Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)]));
         let figures = figures(&evidence, &Claims::order(2));
-        let [ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
+        let [force, ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
         let has = |text: &str, part: &str| {
             assert!(text.contains(part), "{part} is not in {text}");
         };
@@ -235,6 +254,7 @@ mod tests {
         has(ladder, "id=\"fig-ladder\"");
         has(ladder, "slope 2, claimed");
         has(energy, "id=\"fig-energy\"");
+        has(force, "id=\"fig-force\"");
         has(square, "becomes 1.500000000 times as large");
         has(way, "ends 0 rad and 1.0 × 10⁻³ rad/s");
     }

@@ -1,0 +1,168 @@
+//! What a step that is ever shorter leaves of a state, where that is not the state itself.
+
+use core::f64::consts::PI;
+
+use super::departure::{Departure, Kind, in_words, short};
+use super::field::{Field, STARTS};
+use super::output::Undo;
+use crate::judge::probe::{G_OVER_L, Probe, frequency, step};
+use crate::judge::series::{least_squares, residual};
+use crate::judge::verdict::Measured;
+use crate::stranger::Request;
+use pendula::systems::Phase;
+
+const DEGREES: f64 = 180.0 / PI;
+
+/// What is found: what is said, and what undoes it, if anything does.
+pub type Found = (Departure, Vec<Undo>);
+
+/// The state that a step of no length leaves, as an affine map of θ (rad) and ω (rad/s): θ and ω
+/// by the factors of θ, of ω, and what is added. `None` if it is no such map.
+struct Affine {
+    factors: [[f64; 3]; 2],
+    known_to: f64,
+}
+
+fn affine(field: &Field) -> Option<Affine> {
+    let known_to = 10.0 * field.known_to[0] + 1e-12;
+    let frequency = frequency();
+    let unit = [1.0, frequency];
+    let columns = [
+        STARTS.map(|[theta, _]| theta).to_vec(),
+        STARTS.map(|[_, q]| q * frequency).to_vec(),
+        vec![1.0; STARTS.len()],
+    ];
+    let mut factors = [[0.0; 3]; 2];
+    for part in 0..2 {
+        let ends: Vec<f64> = field
+            .jump
+            .iter()
+            .zip(STARTS)
+            .map(|(jump, start)| (start[part] + jump[part]) * unit[part])
+            .collect();
+        let fitted = least_squares(&columns, &ends);
+        let size = fitted[..2].iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+        if residual(&columns, &fitted, &ends) > known_to * unit[part] + 1e-9 * size {
+            return None;
+        }
+        factors[part] = [fitted[0], fitted[1], fitted[2]];
+    }
+    Some(Affine { factors, known_to: known_to * frequency })
+}
+
+/// What the states that steps of no length leave say.
+pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
+    let Some(Affine { factors, known_to }) = affine(field) else {
+        return Ok((without_step(field).unwrap_or_else(|| other(field)), Vec::new()));
+    };
+    let near = |wanted: [[f64; 3]; 2]| {
+        let pairs = factors.as_flattened().iter().zip(wanted.as_flattened().to_vec());
+        pairs.clone().all(|(a, b)| (a - b).abs() <= known_to + 1e-6 * b.abs())
+    };
+    let scaled = |a: f64, b: f64| near([[a, 0.0, 0.0], [0.0, b, 0.0]]);
+    let output = |kind, sentence: &str, undo: &[Undo]| {
+        Ok((Departure::new(kind, &[], sentence), undo.to_vec()))
+    };
+    if scaled(DEGREES, DEGREES) {
+        let undo = Undo::Out([DEGREES, DEGREES]);
+        return output(Kind::DegreesOut, "It hands out degrees", &[undo]);
+    }
+    if scaled(DEGREES, 1.0) {
+        let undo = Undo::Out([DEGREES, 1.0]);
+        return output(Kind::DegreesOut, "It hands out angles in degrees", &[undo]);
+    }
+    if scaled(1.0, DEGREES) {
+        let undo = Undo::Out([1.0, DEGREES]);
+        return output(Kind::DegreesOut, "It hands out velocities in degrees a second", &[undo]);
+    }
+    if scaled(1.0 / DEGREES, 1.0 / DEGREES) {
+        let undo = Undo::In([1.0 / DEGREES, 1.0 / DEGREES]);
+        return output(Kind::DegreesIn, "It takes the start for degrees", &[undo]);
+    }
+    if scaled(1.0 / DEGREES, 1.0) {
+        let undo = Undo::In([1.0 / DEGREES, 1.0]);
+        return output(Kind::DegreesIn, "It takes the angle of the start for degrees", &[undo]);
+    }
+    if near([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]) {
+        let undo = [Undo::SwappedOut, Undo::SwappedIn];
+        return output(Kind::Swapped, "It exchanges θ and ω", &undo);
+    }
+    if near([[1.0, 0.0, PI], [0.0, 1.0, 0.0]]) {
+        let undo = [Undo::Raised(PI)];
+        return output(Kind::FromTheTop, "It hands out the angle from the top", &undo);
+    }
+    if near([[1.0, 0.0, -PI], [0.0, 1.0, 0.0]]) {
+        let undo = [Undo::Raised(-PI)];
+        return output(Kind::FromTheTop, "It hands out the angle from the top", &undo);
+    }
+    if near([[1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]) {
+        let sentence = "The change of θ is not multiplied by the step: θ + ω";
+        return Ok((Departure::new(Kind::WithoutStep, &[], sentence), Vec::new()));
+    }
+    let ignored =
+        |sentence: &str| Ok((Departure::new(Kind::Values, &[], sentence.to_string()), Vec::new()));
+    if scaled(1.0, 0.0) {
+        return ignored("It begins at rest, whatever velocity it is given");
+    }
+    if scaled(0.0, 1.0) {
+        return ignored("It begins at the bottom, whatever angle it is given");
+    }
+    let share = factors[1][1];
+    if scaled(1.0, share) && share > 0.0 {
+        return drag(probe, share, known_to);
+    }
+    Ok((other(field), Vec::new()))
+}
+
+/// A step that leaves a share of the velocity: each step does so, or only what is handed out.
+fn drag(probe: &Probe<'_>, share: f64, known_to: f64) -> Measured<Found> {
+    let h = step(1e-5);
+    let start = Phase { theta: 0.1, omega: 1.0 };
+    let end = probe.end(Request::run(start, h, 4))?;
+    let left = short(share, known_to);
+    let words = in_words(left, known_to);
+    if (end.omega - libm::pow(share, 4.0)).abs() < 0.1 * (end.omega - share).abs() {
+        let sentence = format!("Each step multiplies ω by {words}, however long it is");
+        return Ok((Departure::new(Kind::DragEachStep, &[left], sentence), Vec::new()));
+    }
+    let sentence = format!("It hands out {words} times the velocity");
+    Ok((Departure::new(Kind::Values, &[left], sentence), vec![Undo::Out([1.0, left])]))
+}
+
+/// A kick that is not multiplied by the step.
+fn without_step(field: &Field) -> Option<Departure> {
+    let known_to = 10.0 * field.known_to[0] + 1e-12;
+    let frequency = frequency();
+    let sines = [STARTS.map(|[theta, _]| -libm::sin(theta)).to_vec()];
+    let kicks: Vec<f64> = field.jump.iter().map(|jump| jump[1]).collect();
+    let factor = least_squares(&sines, &kicks);
+    let still = field.jump.iter().all(|jump| jump[0].abs() <= known_to);
+    let right = (factor[0] * frequency / G_OVER_L - 1.0).abs() <= 1e-3;
+    (still && right && residual(&sines, &factor, &kicks) <= known_to).then(|| {
+        let sentence = "The change of ω is not multiplied by the step: ω − (g/L) sin θ";
+        Departure::new(Kind::WithoutStep, &[], sentence)
+    })
+}
+
+/// A state that a step of no length moves, described by where it goes.
+fn other(field: &Field) -> Departure {
+    let frequency = frequency();
+    let far = |k: &usize| {
+        let [theta, q] = field.jump[*k];
+        libm::fmaximum(theta.abs(), q.abs())
+    };
+    let k = (0..STARTS.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
+    let [theta, q] = STARTS[k];
+    let [moved, kicked] = field.jump[k];
+    let known_to = field.known_to[0].max(5e-4);
+    let words = |theta: f64, q: f64| {
+        let [theta, omega] = [theta, q * frequency].map(|x| in_words(x, known_to));
+        format!("({theta} rad, {omega} rad/s)")
+    };
+    let sentence = format!(
+        "However short a step is, it leads from {} to {}",
+        words(theta, q),
+        words(theta + moved, q + kicked)
+    );
+    Departure::new(Kind::Values, &[theta + moved, (q + kicked) * frequency], sentence)
+}

@@ -1,0 +1,342 @@
+//! Which equation is solved, and in which form states are taken and handed out: from single steps,
+//! short and moderate ones, before anything is said of a method.
+//!
+//! A step of any method is (θ, ω) + h (ω, −(g/L) sin θ) + O(h²). What is found in place of the
+//! first two terms, as functions of θ, ω and g/L, tells the equation; what does not vanish with h,
+//! or grows as h falls, tells what was done with the step.
+
+mod departure;
+mod field;
+mod finding;
+mod jumps;
+mod output;
+mod rates;
+mod solved;
+
+pub use departure::{Departure, Kind, Place};
+pub use finding::{NOT_THE_METHOD, Told};
+pub use output::{Undo, Undone};
+pub use solved::{Solved, Solver};
+
+use self::departure::{in_words, short};
+use self::field::{Field, STARTS};
+use super::probe::{G_OVER_L, Probe, frequency, step};
+use super::series::{least_squares, residual};
+use super::verdict::{Measured, Trouble};
+use crate::stranger::{Request, Stranger};
+use pendula::systems::Phase;
+
+/// What was found of the equation.
+#[derive(Clone, Debug)]
+pub struct Looked {
+    /// In what it departs from the pendulum's, if it does.
+    pub departure: Option<Departure>,
+    /// By how much rates are known, in units of √(g/L) and g/L.
+    pub known_to: f64,
+    /// The equation that is solved in its place, as a system.
+    pub solved: Option<Solved>,
+    /// The force at angles at rest, in units of g/L, for a figure.
+    pub force: Vec<(f64, f64)>,
+}
+
+impl Looked {
+    fn at(departure: Departure) -> Self {
+        Self { departure: Some(departure), known_to: 0.0, solved: None, force: Vec::new() }
+    }
+
+    fn with(departure: Option<Departure>, field: &Field) -> Self {
+        let force = field.rate.iter().zip(STARTS).map(|(rate, [theta, _])| (theta, rate[1]));
+        let mut force: Vec<(f64, f64)> = force.collect();
+        force.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Self { departure, known_to: field.known_to[1], solved: None, force }
+    }
+}
+
+/// A change of what is taken and handed out that can be seen without a rate, and what undoes it.
+pub fn output(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
+    // Angles beyond half a turn, to both sides of it.
+    let mut ends = Vec::new();
+    for (theta, omega) in [(4.0, 1.0), (-0.5, -1.0), (-4.0, 1.0), (7.0, 0.5)] {
+        let end = probe.end(Request::run(Phase { theta, omega }, step(0.02), 1))?;
+        ends.push((theta, end.theta));
+    }
+    if let Some(wrapped) = output::wrapped(&ends) {
+        return Ok(Some((wrapped, Undo::Wrapped)));
+    }
+    let starts = STARTS.map(|[theta, q]| Phase { theta, omega: q * frequency() });
+    // The start, handed out as the first state, and the first step's as the second.
+    let mut late = true;
+    for start in starts.into_iter().take(4) {
+        let states = probe.states(Request::run(start, step(0.3), 2))?;
+        late &= states[0] == start && states[1] != start;
+        if !late {
+            break;
+        }
+    }
+    if late && is_right(&Undone { stranger, undo: Undo::Late(1) })? {
+        let sentence = "Each state is handed out a step late: the first row is the start";
+        return Ok(Some((Departure::new(Kind::RowsLate, &[1.0], sentence), Undo::Late(1))));
+    }
+    Ok(None)
+}
+
+/// Whether the field is the pendulum's.
+fn is_right(stranger: &dyn Stranger) -> Measured<bool> {
+    let probe = Probe::new(stranger)?;
+    let field = field::measure(&probe, G_OVER_L, 0)?;
+    Ok(field.off().0 <= SURE)
+}
+
+/// So many times what it is known to a value has to be off before it is said to be wrong.
+const SURE: f64 = 10.0;
+
+/// What decimals or digits are cut off, of numbers as they came.
+pub fn cut_off(probe: &Probe<'_>) -> Measured<Option<Departure>> {
+    let mut numbers = Vec::new();
+    for [theta, q] in STARTS {
+        let start = Phase { theta, omega: q * frequency() };
+        for z in probe.states(Request::run(start, step(0.07), 3))? {
+            numbers.extend([z.theta, z.omega]);
+        }
+    }
+    Ok(output::cut_off(&numbers))
+}
+
+/// What is found of the equation, and what undoes it, if it is a change of output.
+pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Option<Undo>)> {
+    if let Some(departure) = of_the_step(probe)? {
+        return Ok((Looked::at(departure), None));
+    }
+    let field = field::measure(probe, G_OVER_L, 0)?;
+    let (off, _) = field.off();
+    if off.is_nan() {
+        return Err(Trouble::NotFinite);
+    }
+    if off <= SURE {
+        return Ok((Looked::with(units(probe, &field)?, &field), None));
+    }
+    let jumps = field.jump.as_flattened().iter().any(|x| x.abs() > SURE * field.known_to[0]);
+    if jumps {
+        return by_jumps(stranger, probe, &field);
+    }
+    // A first step is another one where velocities are differences, or where older states are kept.
+    if field::measure(probe, G_OVER_L, 2)?.off().0 <= SURE {
+        return Ok(first_step(&field));
+    }
+    if let Some(departure) = vanishing(probe, &field)? {
+        return Ok((Looked::with(Some(departure), &field), None));
+    }
+    let angle_in_the_force = field.rate.iter().zip(STARTS).all(|(rate, [theta, _])| {
+        (rate[1] * G_OVER_L - theta).abs() <= 1e-3 + SURE * field.known_to[1] * G_OVER_L
+    });
+    if angle_in_the_force && is_right(&Undone { stranger, undo: Undo::Swapped })? {
+        let sentence = "It takes and hands out ω for θ and θ for ω";
+        let departure = Departure::new(Kind::Swapped, &[], sentence);
+        return Ok((Looked::with(Some(departure), &field), Some(Undo::Swapped)));
+    }
+    let four = field::measure(probe, 4.0 * G_OVER_L, 0)?;
+    let quarter = field::measure(probe, 0.25 * G_OVER_L, 0)?;
+    let fields = [field, four, quarter];
+    let far = field::from(probe, &field::FAR, G_OVER_L, 0)?;
+    let (departure, solved) = rates::told(&fields, &far);
+    let in_degrees = departure.kind == Kind::DegreesInAndOut;
+    let undo = in_degrees.then_some(Undo::InAndOut([core::f64::consts::PI / 180.0; 2]));
+    let [field, ..] = &fields;
+    let looked = Looked { solved, ..Looked::with(Some(departure), field) };
+    Ok((looked, undo))
+}
+
+/// What is said where only the first step is another one: if it goes twice as far, each state is
+/// that of the step after.
+fn first_step(field: &Field) -> (Looked, Option<Undo>) {
+    let twice = field.rate.iter().zip(STARTS).all(|(rate, [theta, q])| {
+        let apart = [rate[0] - 2.0 * q, rate[1] + 2.0 * libm::sin(theta)];
+        apart.iter().all(|apart| apart.abs() <= SURE * field.known_to[1] + 1e-9)
+    });
+    if !twice {
+        return (Looked::with(None, field), None);
+    }
+    let sentence = "Each state is handed out a step early: the first row is that of two steps";
+    let departure = Departure::new(Kind::RowsEarly, &[1.0], sentence);
+    (Looked::with(Some(departure), field), Some(Undo::Early(1)))
+}
+
+/// What was done with the step, where no field can be had: a step that is the same whatever is
+/// asked for, or a change that grows as the step falls.
+fn of_the_step(probe: &Probe<'_>) -> Measured<Option<Departure>> {
+    let frequency = frequency();
+    let way = |x: f64| -> Measured<Vec<[f64; 2]>> {
+        let ways = STARTS.iter().take(6).map(|[theta, q]| {
+            let start = Phase { theta: *theta, omega: q * frequency };
+            let end = probe.end(Request::run(start, step(x), 1))?;
+            Ok([end.theta - theta, (end.omega - start.omega) / frequency])
+        });
+        ways.collect()
+    };
+    let (long, middle, short_way) = (way(0.25)?, way(0.25 / 64.0)?, way(0.25 / 4096.0)?);
+    let largest = |ways: &[[f64; 2]], part: usize| {
+        ways.iter().map(|way| way[part].abs()).fold(0.0, libm::fmaximum)
+    };
+    let room = 100.0 * probe.rounding;
+    let apart = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+        let pairs = a.as_flattened().iter().zip(b.as_flattened());
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, libm::fmaximum)
+    };
+    let moves = largest(&long, 0) > room || largest(&long, 1) > room;
+    if moves && apart(&long, &middle) <= room && apart(&middle, &short_way) <= room {
+        return fixed_step(probe).map(Some);
+    }
+    if let Some(times) = times(probe)? {
+        return Ok(Some(rates::of_step(times)));
+    }
+    // Sixty-four times as large in a step a sixty-fourth as long.
+    let grows = |part: usize| {
+        let [a, b] = [largest(&middle, part), largest(&short_way, part)];
+        b > 16.0 * a && a > room
+    };
+    let what = match [grows(0), grows(1)] {
+        [false, false] => return Ok(None),
+        [true, true] => "the changes of θ and ω are",
+        [true, false] => "the change of θ is",
+        [false, true] => "the change of ω is",
+    };
+    let sentence = format!("A step grows as 1/h: {what} divided by h");
+    Ok(Some(Departure::new(Kind::DividedByStep, &[], sentence)))
+}
+
+/// How many times as long a step is, where that is so much, or so little, that no field can be had:
+/// by the way of a pendulum on which nearly no force acts.
+fn times(probe: &Probe<'_>) -> Measured<Option<f64>> {
+    let start = Phase { theta: 0.1, omega: 1.0 };
+    let long = |x: f64| -> Measured<f64> {
+        let h = step(x);
+        Ok((probe.end(Request::run(start, h, 1).with(1e-12))?.theta - start.theta) / h)
+    };
+    let [a, b] = [long(0.25)?, long(0.25 / 64.0)?];
+    let known_to = 1e3 * probe.rounding + 1e-9;
+    let same = (a - b).abs() <= known_to * a.abs().max(1.0);
+    Ok((same && a.abs() > 20.0).then(|| short(a, known_to * a.abs())))
+}
+
+/// The step that is taken whatever is asked for, by the way of a pendulum on which nearly no force
+/// acts.
+fn fixed_step(probe: &Probe<'_>) -> Measured<Departure> {
+    let start = Phase { theta: 0.0, omega: 1.0 };
+    let end = probe.end(Request::run(start, step(0.25), 1).with(1e-9))?;
+    let known_to = 1e-9 + 10.0 * probe.rounding;
+    if !(end.omega - 1.0).abs().le(&1e-6) {
+        let sentence = "A step is the same, however long it is to be";
+        return Ok(Departure::new(Kind::FixedStep, &[], sentence));
+    }
+    let h = short(end.theta, known_to);
+    let sentence = format!("Its step is {} s, whatever is asked for", in_words(h, known_to));
+    Ok(Departure::new(Kind::FixedStep, &[h], sentence))
+}
+
+fn by_jumps(
+    stranger: &dyn Stranger,
+    probe: &Probe<'_>,
+    field: &Field,
+) -> Measured<(Looked, Option<Undo>)> {
+    let (departure, undos) = jumps::told(probe, field)?;
+    for undo in undos {
+        if is_right(&Undone { stranger, undo })? {
+            return Ok((Looked::with(Some(departure), field), Some(undo)));
+        }
+    }
+    // It hands out something else than its state, and solves something else, too.
+    let looked = Looked { force: Vec::new(), ..Looked::with(Some(departure), field) };
+    Ok((looked, None))
+}
+
+/// A rate that vanishes, whose change goes with the square of the step, or is none.
+fn vanishing(probe: &Probe<'_>, field: &Field) -> Measured<Option<Departure>> {
+    let known_to = SURE * field.known_to[1];
+    let none = |part: usize| field.rate.iter().all(|rate| rate[part].abs() <= known_to);
+    let frequency = frequency();
+    // In units of the right change over h, h² is h times as much.
+    let square = |part: usize, value: fn([f64; 2]) -> f64| {
+        let column = [STARTS.map(value).to_vec()];
+        let seconds: Vec<f64> = field.second.iter().map(|second| second[part]).collect();
+        let factor = least_squares(&column, &seconds);
+        let room = SURE * field.known_to[2] + 1e-9;
+        let fits = residual(&column, &factor, &seconds) <= room;
+        (fits && factor[0].abs() > 10.0 * room).then_some(factor[0] * frequency)
+    };
+    let departure = if none(1) {
+        match square(1, |[theta, _]| -libm::sin(theta)) {
+            Some(factor) => {
+                let sentence = "The kick is proportional to h², not to h";
+                Departure::new(Kind::SquaredStep, &[short(factor, 1e-6)], sentence)
+            }
+            None if stays(probe, |z| z.omega)? => {
+                Departure::new(Kind::NoKick, &[], "The force never reaches the velocity")
+            }
+            None => return Ok(None),
+        }
+    } else if none(0) {
+        match square(0, |[_, q]| q) {
+            Some(factor) => {
+                let sentence = "The drift is proportional to h², not to h";
+                Departure::new(Kind::SquaredStep, &[short(factor, 1e-6)], sentence)
+            }
+            None if stays(probe, |z| z.theta)? => {
+                Departure::new(Kind::NoDrift, &[], "The velocity never reaches the angle")
+            }
+            None => return Ok(None),
+        }
+    } else {
+        return Ok(None);
+    };
+    Ok(Some(departure))
+}
+
+/// Whether this part of a state is the same after steps of any length.
+fn stays(probe: &Probe<'_>, part: fn(&Phase) -> f64) -> Measured<bool> {
+    for [theta, q] in STARTS.into_iter().take(6) {
+        let start = Phase { theta, omega: q * frequency() };
+        for x in [0.05, 0.4] {
+            let end = probe.end(Request::run(start, step(x), 1))?;
+            if (part(&end) - part(&start)).abs() > 30.0 * probe.rounding * frequency() {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}
+
+/// Quantities of different units that a step adds, where the equation is right: the change of ω
+/// with h² is then none of α′ω, and is another one in other units of time.
+fn units(probe: &Probe<'_>, field: &Field) -> Measured<Option<Departure>> {
+    let column = |value: fn([f64; 2]) -> f64| STARTS.map(value).to_vec();
+    let right = column(|[theta, q]| -libm::cos(theta) * q);
+    let by_kicks = column(|[theta, _]| libm::cos(theta) * libm::sin(theta));
+    let by_time = column(|[theta, _]| -libm::cos(theta));
+    // The two factors, as far as they are seen at all: each column is of order 1/2.
+    let strange = |field: &Field| {
+        let seconds: Vec<f64> = field.second.iter().map(|second| second[1]).collect();
+        let known_to = field.known_to[2] + 1e-9;
+        let all = [right.clone(), by_kicks.clone(), by_time.clone()];
+        let factors = least_squares(&all, &seconds);
+        let seen = factors[1..].iter().any(|factor| factor.abs() > 6.0 * known_to);
+        let told = seen && residual(&all, &factors, &seconds) <= 4.0 * known_to;
+        told.then_some([factors[1], factors[2]])
+    };
+    let Some([kicks, time]) = strange(field) else { return Ok(None) };
+    let four = field::measure(probe, 4.0 * G_OVER_L, 0)?;
+    let Some([kicks_at_four, time_at_four]) = strange(&four) else { return Ok(None) };
+    // An increment of ω is, in units of the angle, √(g/L) times as large; a time as much smaller.
+    let near = |a: f64, b: f64| (a - b).abs() <= 0.25 * b.abs();
+    let what = if kicks.abs() > time.abs() && near(kicks_at_four, 2.0 * kicks) {
+        "an increment of ω"
+    } else if time.abs() > kicks.abs() && near(time_at_four, 0.5 * time) {
+        "the step itself"
+    } else {
+        return Ok(None);
+    };
+    let sentence = format!(
+        "The stages add {what} to θ: quantities of different units. A method for θ̈ needs stages \
+         for both θ and ω"
+    );
+    Ok(Some(Departure::new(Kind::Units, &[], sentence)))
+}

@@ -1,0 +1,186 @@
+//! Changes of what is taken and handed out, and how they are undone: behind them stands a program
+//! that can be judged as if nothing were changed.
+
+use core::f64::consts::{PI, TAU};
+
+use super::departure::{Departure, Kind};
+use crate::stranger::{Fault, Reply, Request, Stranger};
+use pendula::systems::Phase;
+
+/// What undoes a change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Undo {
+    /// States are handed out with the angle, and the velocity, so many times as large.
+    Out([f64; 2]),
+    /// Starts are taken with the angle, and the velocity, so many times as large.
+    In([f64; 2]),
+    /// Both.
+    InAndOut([f64; 2]),
+    /// Angle and velocity are exchanged in what is handed out.
+    SwappedOut,
+    /// And in what is taken.
+    SwappedIn,
+    /// In both.
+    Swapped,
+    /// The angle is larger by this, in what is handed out.
+    Raised(f64),
+    /// States are handed out so many steps late.
+    Late(u64),
+    /// Or early.
+    Early(u64),
+    /// Whole turns are taken off the angle.
+    Wrapped,
+}
+
+impl Undo {
+    fn its_start(self, Phase { theta, omega }: Phase) -> Phase {
+        match self {
+            Self::In([a, b]) | Self::InAndOut([a, b]) => {
+                Phase { theta: theta / a, omega: omega / b }
+            }
+            Self::SwappedIn | Self::Swapped => Phase { theta: omega, omega: theta },
+            _ => Phase { theta, omega },
+        }
+    }
+
+    fn its_state(self, Phase { theta, omega }: Phase) -> Phase {
+        match self {
+            Self::Out([a, b]) => Phase { theta: theta / a, omega: omega / b },
+            // A program that takes and hands out degrees has a state a times as large.
+            Self::InAndOut([a, b]) => Phase { theta: theta * a, omega: omega * b },
+            Self::SwappedOut | Self::Swapped => Phase { theta: omega, omega: theta },
+            Self::Raised(by) => Phase { theta: theta - by, omega },
+            _ => Phase { theta, omega },
+        }
+    }
+}
+
+/// The program behind a change of what it takes and hands out.
+pub struct Undone<'s> {
+    pub stranger: &'s dyn Stranger,
+    pub undo: Undo,
+}
+
+impl Stranger for Undone<'_> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        let start = self.undo.its_start(request.start);
+        let Request { steps, every, .. } = *request;
+        // Where states are counted otherwise each is asked for, and the right ones are kept.
+        let asked = match self.undo {
+            Undo::Late(by) => Request { steps: steps + by, every: 1, ..*request },
+            Undo::Early(by) if steps > by => Request { steps: steps - by, every: 1, ..*request },
+            Undo::Early(_) => {
+                let why = "the first states are never handed out";
+                return Err(Fault::Refused(why.to_string()));
+            }
+            Undo::Wrapped => Request { every: 1, ..*request },
+            _ => *request,
+        };
+        let reply = self.stranger.answer(&Request { start, ..asked })?;
+        if reply.states.len() as u64 != asked.states() {
+            return Ok(reply);
+        }
+        let all = reply.states;
+        let pick = |first: u64| all.iter().copied().skip(first as usize).step_by(every as usize);
+        let states = match self.undo {
+            Undo::Late(by) => pick(by + every - 1).collect(),
+            Undo::Early(by) => match every > by {
+                true => pick(every - 1 - by).collect(),
+                false => {
+                    let why = "the first states are never handed out";
+                    return Err(Fault::Refused(why.to_string()));
+                }
+            },
+            Undo::Wrapped => {
+                let mut before = request.start.theta;
+                let unwrapped: Vec<Phase> = all
+                    .iter()
+                    .map(|z| {
+                        let turns = libm::round((before - z.theta) / TAU);
+                        before = z.theta + TAU * turns;
+                        Phase { theta: before, ..*z }
+                    })
+                    .collect();
+                unwrapped.into_iter().skip(every as usize - 1).step_by(every as usize).collect()
+            }
+            undo => all.iter().map(|z| undo.its_state(*z)).collect(),
+        };
+        Ok(Reply { states, evaluations: reply.evaluations })
+    }
+
+    fn longest_run(&self) -> u64 {
+        self.stranger.longest_run()
+    }
+}
+
+/// What angles from which whole turns are taken off look like: of four starts, short steps.
+pub fn wrapped(ends: &[(f64, f64)]) -> Option<Departure> {
+    let mut any = false;
+    let mut ends_in = [f64::INFINITY, f64::NEG_INFINITY];
+    for (start, end) in ends {
+        let turns = libm::round((end - start) / TAU);
+        if (end - start - TAU * turns).abs() > 0.3 {
+            return None;
+        }
+        any |= turns != 0.0;
+        ends_in = [ends_in[0].min(*end), ends_in[1].max(*end)];
+    }
+    if !any {
+        return None;
+    }
+    let [least, most] = ends_in;
+    let range = if least >= -PI && most <= PI {
+        "(−π, π]"
+    } else if least >= 0.0 && most < TAU {
+        "[0, 2π)"
+    } else {
+        "within a turn"
+    };
+    let sentence = match range {
+        "within a turn" => "Its angles are kept within a turn".to_string(),
+        range => format!("Its angles are kept in {range}"),
+    };
+    let sentence = format!("{sentence}: whole turns are not counted");
+    Some(Departure::new(Kind::Wrapped, &[], sentence))
+}
+
+/// The fewest decimals, and the fewest significant digits, with which all of these numbers can be
+/// written; at most 14.
+pub fn printed(numbers: &[f64]) -> (Option<usize>, Option<usize>) {
+    let all = |write: &dyn Fn(f64) -> String| {
+        numbers.iter().all(|x| write(*x).parse::<f64>().is_ok_and(|read| read == *x))
+    };
+    let decimals = (0..=14).find(|digits| all(&|x| format!("{x:.digits$}")));
+    let digits = (1..=14).find(|digits| all(&|x| format!("{x:.*e}", digits - 1)));
+    (decimals, digits)
+}
+
+/// What numbers of a few decimals, or digits, say; `None` for those of double precision.
+pub fn cut_off(numbers: &[f64]) -> Option<Departure> {
+    // Numbers that are short by themselves, as 0, tell nothing.
+    let numbers: Vec<f64> = numbers.iter().copied().filter(|x| *x != 0.0).collect();
+    if numbers.len() < 40 {
+        return None;
+    }
+    // A word for each up to nine.
+    let count = |n: usize| {
+        const WORDS: [&str; 9] =
+            ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
+        n.checked_sub(1).and_then(|n| WORDS.get(n)).map_or(n.to_string(), |word| word.to_string())
+    };
+    match printed(&numbers) {
+        (decimals, Some(digits)) if decimals.is_none_or(|decimals| digits <= decimals) => {
+            let sentence = format!("It prints {} significant digits", count(digits));
+            Some(Departure::new(Kind::Digits, &[digits as f64], sentence))
+        }
+        (Some(0), _) => Some(Departure::new(Kind::Decimals, &[0.0], "It prints whole numbers")),
+        (Some(decimals), _) => {
+            let power = format!("10⁻{}", crate::judge::report::raised(decimals));
+            let (many, s) = (count(decimals), if decimals == 1 { "" } else { "s" });
+            let sentence =
+                format!("It prints {many} decimal{s} (every number is a multiple of {power})");
+            Some(Departure::new(Kind::Decimals, &[decimals as f64], sentence))
+        }
+        (None, _) => None,
+    }
+}
