@@ -3,7 +3,7 @@
 use crate::properties::{
     AREA, CLOCK, CONJUGACY, ERROR_CONSTANT, LINEAR, ORDER, Property, REVERSAL, SYMMETRY, WORK,
 };
-use pendula::arithmetic::sine::sin;
+use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{
     Deuflhard, DiscreteGradient, Dop853, ForestRuth, Gauss4, Processed4, Processed6, Rk4,
     StormerVerlet, SymplecticEuler, Taylor24, Trapezoidal, Yoshida6,
@@ -159,6 +159,26 @@ macro_rules! for_each_impostor {
             linearised_sine:
                 wrapped::Accelerated(|p, theta| -p.frequency_squared() * theta), StormerVerlet,
                 [ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY];
+            cosine_for_sine:
+                wrapped::Accelerated(|p, theta| -p.frequency_squared() * cos(theta)),
+                StormerVerlet,
+                [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
+            series_of_two_terms:
+                wrapped::Accelerated(|p, theta| {
+                    -p.frequency_squared() * (theta - theta * theta * theta / 6.0)
+                }),
+                StormerVerlet,
+                [ORDER, ERROR_CONSTANT, CONJUGACY, SYMMETRY];
+            root_of_g_over_l:
+                wrapped::Accelerated(|p, theta| -p.small_angle_frequency() * sin(theta)),
+                StormerVerlet,
+                [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
+            a_thousandth_lost_a_step:
+                wrapped::AThousandthLost(StormerVerlet), StormerVerlet,
+                [ORDER, ERROR_CONSTANT, LINEAR, AREA, REVERSAL, CONJUGACY];
+            a_step_of_its_own:
+                wrapped::ItsOwnStep(StormerVerlet), StormerVerlet,
+                [ORDER, ERROR_CONSTANT, LINEAR, CONJUGACY, SYMMETRY];
             sine_to_seven_digits:
                 wrapped::Accelerated(|p, theta| {
                     -p.frequency_squared() * f64::from(sin(theta) as f32)

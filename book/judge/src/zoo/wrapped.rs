@@ -57,6 +57,16 @@ spoilt_step! {
 }
 
 spoilt_step! {
+    /// A thousandth of the velocity is lost in each step, as by a drag that does not know the step.
+    AThousandthLost, |h| h, |z| Phase { omega: z.omega * 0.999, ..z }
+}
+
+spoilt_step! {
+    /// A step of 0.01 s is written into the program, whatever is asked for.
+    ItsOwnStep, |h| 0.01 * h.signum(), |z| z
+}
+
+spoilt_step! {
     /// The state is kept in single precision.
     SinglePrecision, |h| h, |z| {
         Phase { theta: f64::from(z.theta as f32), omega: f64::from(z.omega as f32) }
