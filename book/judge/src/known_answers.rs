@@ -62,6 +62,27 @@ pub struct Answer {
     pub tolerance: f64,
 }
 
+impl Mistake {
+    /// Whether its error vanishes with the step: the equation is the pendulum's, and the method is
+    /// another one.
+    pub(crate) fn converges(&self) -> bool {
+        const OTHERWISE: [&str; 11] = [
+            "does not converge",
+            "order 0",
+            "twice the",
+            "half the",
+            "runs at twice",
+            "solves",
+            "swings about",
+            "another problem",
+            "almost no force",
+            "right only where",
+            "right for a uniform",
+        ];
+        !OTHERWISE.iter().any(|begins| self.effect.starts_with(begins))
+    }
+}
+
 impl Answer {
     /// How far off `state` is, in tolerances, for a program whose ε is `epsilon`: at most 1 for a
     /// right one, NaN for a NaN.

@@ -76,9 +76,20 @@ impl Answers {
             let request = Request { g_over_l, drive, start, step, steps, every: 1 };
             runs.extend(told(probe.ask(&request))?.map(|reply| (scene, reply.states)));
         }
+        let tolerance = probe.tolerance_a_step();
+        Ok(Self { runs, rounding: probe.rounding, tolerance: 0.0 }
+            .with_tolerance(200.0 * tolerance))
+    }
+
+    /// Of a stranger that answered nothing.
+    pub const fn none() -> Self {
+        Self { runs: Vec::new(), rounding: 1.0, tolerance: 0.0 }
+    }
+
+    /// With what a tolerance inside the stranger makes of 200 steps (rad).
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
         // As where library methods are compared: neighbours part by less than a hundred times.
-        let tolerance = 100.0 * probe.tolerance_a_step();
-        Ok(Self { runs, rounding: probe.rounding, tolerance })
+        Self { tolerance: 100.0 * tolerance / 200.0, ..self }
     }
 
     /// The largest distance of the answers of `known` that `asked` picks; `None` if it is more than
@@ -130,12 +141,14 @@ impl Answers {
         let all: Vec<(Match, bool)> = all.collect();
         let nearest =
             |a: &&(Match, bool), b: &&(Match, bool)| a.0.roundings.total_cmp(&b.0.roundings);
-        let Some((best, _)) = all.iter().filter(|(_, fits)| *fits).min_by(nearest) else {
-            return Name::None;
-        };
+        let Some((best, _)) = all.iter().min_by(nearest) else { return Name::None };
         let room = ALONE * best.roundings.max(1.0);
-        let mut near: Vec<Match> =
-            all.iter().map(|(found, _)| *found).filter(|found| found.roundings <= room).collect();
+        let near = all.iter().filter(|(found, _)| found.roundings <= room);
+        // An entry that allows for much may fit where another one, which does not, is nearer.
+        if !near.clone().any(|(_, fits)| *fits) {
+            return Name::None;
+        }
+        let mut near: Vec<Match> = near.map(|(found, _)| *found).collect();
         let rank = |x: &Match| (!x.driven, Some(x.known.name.as_str()) != claimed);
         near.sort_by(|a, b| a.roundings.total_cmp(&b.roundings).then(rank(a).cmp(&rank(b))));
         let (driven, not): (Vec<Match>, Vec<Match>) = near.iter().partition(|found| found.driven);

@@ -355,6 +355,11 @@ pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
         Ok([(z.theta - true_z.theta) / over, (z.omega - true_z.omega) / frequency() / over])
     };
     let errors = [error(x)?, error(0.5 * x)?, error(0.25 * x)?];
+    // Of another power, as a first step of its own may be, it is no constant.
+    let size = |error: [f64; 2]| error[0].abs().max(error[1].abs());
+    if !(0.5..2.0).contains(&(size(errors[2]) / size(errors[1]))) {
+        return Err(Trouble::NoAnswer(format!("the error of a step goes not with x^{power}")));
+    }
     Ok([0, 1].map(|i| extrapolated(errors.map(|error| error[i]))))
 }
 

@@ -42,11 +42,18 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
     let of_output = departure.filter(|found| found.kind.place() == Place::Output);
     causes.extend(of_output.map(changed_output));
     if let Some(found) = departure.filter(|found| found.kind.place() == Place::Equation) {
+        let output = report.finding("output").filter(|it| it.verdict == Verdict::Fails);
+        causes.extend(output.map(|it| Cause {
+            text: format!("The adapter or the output: {}", lowered(&it.measured)),
+            explains: &["output"],
+        }));
         // A factor of g/L may be half a kick that is missing.
         let resembles = match Scaled::of(found) {
             Some(Scaled::Gravity(_)) => told(resemblance::find(probe, claims, report))?.flatten(),
             _ => None,
         };
+        // Only of a method that kicks twice a step can one be missing.
+        let resembles = resembles.filter(|it| it.starts_with("Störmer–Verlet"));
         if let Some(it) = &resembles {
             causes.push(resembles_in_words(format!("It is {it}")));
             return Ok(Looking { sentences: in_words(causes, &failed), resembles });
@@ -70,9 +77,10 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
     let mistake = report.mistake.map(in_a_sentence);
     let alike = mistake.or_else(|| resembles.as_ref().map(|it| in_one_name(it, report)));
     causes.extend(alike.clone().map(resembles_in_words));
+    let order_holds = report.finding("order").is_some_and(|it| it.verdict == Verdict::Holds);
     match &lost {
-        // What it resembles says why the first term is wrong.
-        Some(found) if found.power == 1 && alike.is_some() => {}
+        // The first term is the equation's; and a first step may be another one than all others.
+        Some(found) if found.power == 1 || order_holds => {}
         Some(found) => causes.push(order_condition(found, claims.order)),
         None => causes.extend(report.finding("order").and_then(|order| falling(order, claims))),
     }
@@ -111,7 +119,12 @@ fn in_one_name(resembled: &str, report: &Report) -> String {
 /// A change of what is taken or handed out.
 fn changed_output(found: &Departure) -> Cause {
     let text = format!("The adapter or the output: {}", lowered(&found.sentence));
-    Cause { text, explains: &["output", "turn", "precision"] }
+    let explains: &[&str] = match found.kind {
+        Kind::Wrapped => &["output", "turn"],
+        Kind::Decimals | Kind::Digits => &["precision"],
+        _ => &["output"],
+    };
+    Cause { text, explains }
 }
 
 /// A sentence as it goes on after a colon.
@@ -254,7 +267,8 @@ fn falling(order: &Finding, claims: &Claims) -> Option<Cause> {
     // The ladder begins with steps that are too long to show an order.
     let near = |slope: &f64| (slope - f64::from(claimed)).abs() < 0.3;
     let from = slopes.iter().position(near)?;
-    let text = sign_of_slopes(claimed, &slopes[from..])?;
+    // Slopes that fall to nothing are of another equation, which has been asked for.
+    let text = sign_of_slopes(claimed, &slopes[from..]).filter(|_| slopes.last() >= Some(&0.5))?;
     Some(Cause { text, explains: &["order", "stage-times"] })
 }
 

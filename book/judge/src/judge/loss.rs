@@ -92,6 +92,9 @@ impl Loss {
     /// What is to be said of a claim that nothing is lost.
     pub fn judge(&self) -> Finding {
         let Self { a_step, bound, tolerance, by } = *self;
+        if !a_step.is_finite() {
+            return Finding::nothing("the energy is not finite".to_string());
+        }
         let mut why = format!(
             "by {by}: {} a step, where rounding makes {} at most",
             scientific(a_step),

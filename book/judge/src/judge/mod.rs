@@ -66,10 +66,10 @@ pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Faul
 /// way that can be undone.
 fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
     let probe = Probe::new(stranger)?;
-    if let Some((departure, undo)) = told(equation::output(stranger, &probe))?.flatten() {
+    if let Some((departure, undo)) = told(equation::output(&probe))?.flatten() {
         return behind(&Undone { stranger, undo }, claims, departure);
     }
-    let (ready, looked) = ready(stranger, probe, claims)?;
+    let (ready, looked) = ready(stranger, probe)?;
     if let Ok(Some((Looked { departure: Some(departure), .. }, Some(undo)))) = looked {
         return behind(&Undone { stranger, undo }, claims, departure);
     }
@@ -78,16 +78,20 @@ fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
 
 /// What is found of the program behind a change of what it takes or hands out.
 fn behind(stranger: &dyn Stranger, claims: &Claims, output: Departure) -> Measured<Report> {
-    let (ready, looked) = ready(stranger, Probe::new(stranger)?, claims)?;
+    let (ready, looked) = ready(stranger, Probe::new(stranger)?)?;
     properties(ready, without_undo(looked), claims, Some(output))
 }
 
-/// A stranger of which all is measured that has to be before anything is asked, and its answers in
-/// the scenes of the known answers.
-type Ready<'s> = (Probe<'s>, Answers);
+/// A stranger of which all is measured that has to be before anything is asked.
+struct Ready<'s> {
+    probe: Probe<'s>,
+    /// In the scenes of the known answers.
+    answers: Answers,
+    /// What is cut off of its numbers.
+    cut_off: Option<Departure>,
+}
 
-/// What was found of the equation, with what undoes a change of output: nothing where the stranger
-/// is a method that is known, whose equation is the pendulum's.
+/// What was found of the equation, with what undoes a change of output.
 type Equation = Measured<Option<(Looked, Option<Undo>)>>;
 
 fn without_undo(looked: Equation) -> Measured<Option<Looked>> {
@@ -95,39 +99,48 @@ fn without_undo(looked: Equation) -> Measured<Option<Looked>> {
 }
 
 /// The stranger, ready to be judged, and its equation.
-fn ready<'s>(
-    stranger: &'s dyn Stranger,
-    probe: Probe<'s>,
-    claims: &Claims,
-) -> Measured<(Ready<'s>, Equation)> {
-    let tolerance = symmetry::tolerance(&probe)?;
-    let probe = probe.with_tolerance(tolerance);
-    let answers = Answers::of(&probe)?;
-    let looked = match answers.method(claims).one() {
-        Some(_) => Ok(None),
-        None => equation::look(stranger, &probe).map(Some),
-    };
-    match looked {
-        Err(Trouble::Broken(why)) => Err(Trouble::Broken(why)),
-        looked => Ok(((probe, answers), looked)),
-    }
-}
-
-/// The report, property by property.
-fn properties(
-    (probe, answers): Ready<'_>,
-    looked: Measured<Option<Looked>>,
-    claims: &Claims,
-    output: Option<Departure>,
-) -> Measured<Report> {
+fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s>, Equation)> {
     let cut_off = match probe.measured_rounding {
         Ok(rounding) if rounding > replies::DOUBLE => told(equation::cut_off(&probe))?.flatten(),
         _ => None,
     };
+    let probe = probe.printing(cut_off.as_ref());
+    // The equation first, by short steps: in long ones, or many, numbers may overflow.
+    let looked = equation::look(stranger, &probe).map(Some);
+    if let Err(Trouble::Broken(why)) = looked {
+        return Err(Trouble::Broken(why));
+    }
+    let departs = |looked: &Equation| {
+        looked
+            .as_ref()
+            .is_ok_and(|found| found.as_ref().is_some_and(|(looked, _)| looked.departure.is_some()))
+    };
+    let measured = || -> Measured<(f64, Answers)> {
+        let tolerance = symmetry::tolerance(&probe)?;
+        Ok((tolerance, Answers::of(&probe)?.with_tolerance(tolerance)))
+    };
+    let (tolerance, answers) = match measured() {
+        // What breaks off is broken again where the properties are measured.
+        Err(_) if departs(&looked) => (0.0, Answers::none()),
+        measured => measured?,
+    };
+    let probe = probe.with_tolerance(tolerance);
+    Ok((Ready { probe, answers, cut_off }, looked))
+}
+
+/// The report, property by property.
+fn properties(
+    Ready { probe, answers, cut_off }: Ready<'_>,
+    looked: Measured<Option<Looked>>,
+    claims: &Claims,
+    output: Option<Departure>,
+) -> Measured<Report> {
     let name = answers.method(claims);
     let report = Report { departure: output, ..Report::default() };
     let mut judge = Judge { probe, answers, name, looked, cut_off, claims, report };
-    judge.take_all()?;
+    if let Err(trouble) = judge.take_all() {
+        return judge.broken(trouble);
+    }
     judge.report.conclude(claims.are_none());
     judge.mistake();
     let Looking { sentences, resembles } = look::at(&judge.probe, claims, &judge.report)?;
@@ -235,17 +248,59 @@ impl Judge<'_> {
         if !self.claims.are_none() && self.report.failures().next().is_none() {
             return;
         }
-        self.report.mistake = self.answers.mistake(self.claims);
-        let of = self.report.mistake.and_then(|known| known.mistake.as_ref());
-        let Some(of) = of.map(|mistake| mistake.of.as_str()) else { return };
-        let other = |identity: &Identity| identity.on.is_none() && identity.method != of;
-        self.report.identity = self.report.identity.take().filter(|identity| !other(identity));
+        let known = self.answers.mistake(self.claims);
+        let Some(mistake) = known.and_then(|known| known.mistake.as_ref()) else { return };
+        if !self.agrees(mistake.converges()) {
+            return;
+        }
+        let of = mistake.of.as_str();
+        let other = |known: &Identity| known.method != of;
+        // A method on another equation has its name, and a mistake in another method is none.
+        if self.report.identity.as_ref().is_some_and(|known| known.on.is_some() && other(known)) {
+            return;
+        }
+        self.report.identity = self.report.identity.take().filter(|known| !other(known));
+        self.report.mistake = known;
         let name = self.report.mistake.map(|known| known.name.clone()).unwrap_or_default();
         let unnamed = self.report.identity.is_none();
         let findings = self.report.findings.iter_mut();
         for finding in findings.filter(|finding| finding.name == "name" && unnamed) {
             finding.measured = format!("the known mistake {name}");
             finding.why = format!("its steps are those of the known mistake {name}");
+        }
+    }
+
+    /// What was found before the stranger broke the protocol, as a program does that ends where its
+    /// numbers overflow: enough for a report if the equation is another one.
+    fn broken(self, trouble: Trouble) -> Measured<Report> {
+        let Self { claims, mut report, .. } = self;
+        let Some(departure) = report.departure.as_ref() else { return Err(trouble) };
+        let sentence = departure.sentence.clone();
+        report.description = match &departure.equation {
+            Some(equation) => format!("not known, on {equation}"),
+            None => "not known".to_string(),
+        };
+        report.look_at = vec![format!("{sentence}."), format!("It broke off: {trouble}.")];
+        report.findings.push(Finding { name: "order", ..Finding::nothing(trouble.to_string()) });
+        report.conclude(claims.are_none());
+        Ok(report)
+    }
+
+    /// Whether a mistake that converges to the pendulum's motion, or does not, agrees with the
+    /// equation that was found: a mistake is told from a few steps of one pendulum.
+    fn agrees(&self, converges: bool) -> bool {
+        let departure = self.report.departure.as_ref();
+        match departure.filter(|found| found.kind.place() == Place::Equation) {
+            Some(Departure { kind: Kind::Units, .. }) => converges,
+            // Its numbers are others, or may be.
+            Some(Departure { kind: Kind::Values | Kind::Torque, .. }) => false,
+            Some(Departure { kind: Kind::Damping, sentence, .. }) => sentence.ends_with(" 0.1/s"),
+            Some(_) => !converges,
+            None => {
+                let equation = self.report.finding("equation");
+                let right = equation.is_some_and(|found| found.verdict == Verdict::Holds);
+                !right || converges || self.name.one().is_some()
+            }
         }
     }
 

@@ -152,6 +152,12 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     if let Some(verdict) = beyond(ladder, claimed, order) {
         return verdict;
     }
+    // Errors that do not fall, and are as small as a solver's tolerance, tell nothing of an order.
+    let largest = rungs.iter().map(|rung| rung.1).fold(0.0, f64::max);
+    if largest < 1e-8 && last < 0.5 {
+        let why = "the error does not fall, and is as small as that of a tolerance inside it";
+        return (Verdict::Unclear, why.to_string());
+    }
     let moved = finest.len() < 2 || (last - finest[finest.len() - 2]).abs() > 0.1;
     let towards = moved && off(&last) < off(&finest[finest.len().saturating_sub(2)]);
     // Settled on another whole number.

@@ -3,6 +3,7 @@
 
 use core::fmt;
 
+use super::equation::{Departure, Kind};
 use super::verdict::{Measured, Trouble};
 use crate::stranger::{Chosen, Fault, Reply, Request, Stranger};
 use pendula::AnyMethod;
@@ -81,6 +82,17 @@ impl<'s> Probe<'s> {
     /// With what a tolerance inside the stranger makes of 200 steps (rad).
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
+    }
+
+    /// Of numbers of which digits are `cut_off`: those of order 1 round by half of the last one.
+    pub fn printing(self, cut_off: Option<&Departure>) -> Self {
+        let rounding = cut_off.and_then(|found| match (found.kind, &found.values[..]) {
+            (Kind::Digits, [digits]) => Some(0.5 * libm::pow(10.0, 1.0 - digits)),
+            (Kind::Decimals, [decimals]) => Some(0.5 * libm::pow(10.0, -decimals)),
+            _ => None,
+        });
+        let rounding = rounding.map_or(self.rounding, |rounding| self.rounding.max(rounding));
+        Self { rounding: rounding.min(1.0), ..self }
     }
 
     /// As many of `steps` as it can take in time, in whole twenties; no answer if these are less

@@ -112,6 +112,8 @@ kinds! {
     DegreesIn "degrees-in" Output;
     /// Both.
     DegreesInAndOut "degrees-in-and-out" Output;
+    /// Angle and velocity are handed out, or taken, so many times as large.
+    Scaled "scaled" Output;
     /// Angle and velocity are exchanged.
     Swapped "swapped" Output;
     /// The angle is counted from the top.

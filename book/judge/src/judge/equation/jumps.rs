@@ -107,26 +107,37 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
     if scaled(0.0, 1.0) {
         return ignored("It begins at the bottom, whatever angle it is given");
     }
-    let share = factors[1][1];
-    if scaled(1.0, share) && share > 0.0 {
-        return drag(probe, share, known_to);
+    let [angle, share] = [factors[0][0], factors[1][1]];
+    if scaled(1.0, share) && share > 0.0 && keeps_losing(probe, share)? {
+        let left = short(share, known_to);
+        let words = in_words(left, known_to);
+        let sentence = format!("Each step multiplies ω by {words}, however long it is");
+        return Ok((Departure::new(Kind::DragEachStep, &[left], sentence), Vec::new()));
+    }
+    if scaled(angle, share) && angle != 0.0 && share != 0.0 {
+        // A factor of a few digits is meant to have no more.
+        let times = [angle, share].map(|x| {
+            let few = short(x, 1e-9);
+            if (few - x).abs() <= known_to && few == short(x, 1e-7) { few } else { x }
+        });
+        let words = match times.map(|x| in_words(x, known_to)) {
+            [a, b] if a == b => format!("{a} times the angle and the velocity"),
+            [a, b] if a == "1" => format!("{b} times the velocity"),
+            [a, b] if b == "1" => format!("{a} times the angle"),
+            [a, b] => format!("{a} times the angle and {b} times the velocity"),
+        };
+        let sentence = format!("At g/L = {G_OVER_L} 1/s² it hands out {words}");
+        let undo = vec![Undo::Out(times), Undo::In(times)];
+        return Ok((Departure::new(Kind::Scaled, &times, sentence), undo));
     }
     Ok((other(field), Vec::new()))
 }
 
-/// A step that leaves a share of the velocity: each step does so, or only what is handed out.
-fn drag(probe: &Probe<'_>, share: f64, known_to: f64) -> Measured<Found> {
-    let h = step(1e-5);
+/// Whether each step leaves this share of the velocity, and not only what is handed out.
+fn keeps_losing(probe: &Probe<'_>, share: f64) -> Measured<bool> {
     let start = Phase { theta: 0.1, omega: 1.0 };
-    let end = probe.end(Request::run(start, h, 4))?;
-    let left = short(share, known_to);
-    let words = in_words(left, known_to);
-    if (end.omega - libm::pow(share, 4.0)).abs() < 0.1 * (end.omega - share).abs() {
-        let sentence = format!("Each step multiplies ω by {words}, however long it is");
-        return Ok((Departure::new(Kind::DragEachStep, &[left], sentence), Vec::new()));
-    }
-    let sentence = format!("It hands out {words} times the velocity");
-    Ok((Departure::new(Kind::Values, &[left], sentence), vec![Undo::Out([1.0, left])]))
+    let end = probe.end(Request::run(start, step(1e-5), 4))?;
+    Ok((end.omega - libm::pow(share, 4.0)).abs() < 0.1 * (end.omega - share).abs())
 }
 
 /// A kick that is not multiplied by the step.
@@ -154,7 +165,7 @@ fn other(field: &Field) -> Departure {
     let k = (0..STARTS.len()).max_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
     let [theta, q] = STARTS[k];
     let [moved, kicked] = field.jump[k];
-    let known_to = field.known_to[0].max(5e-4);
+    let known_to = field.known_to[0].max(5e-4).min(0.05 * far(&k));
     let words = |theta: f64, q: f64| {
         let [theta, omega] = [theta, q * frequency].map(|x| in_words(x, known_to));
         format!("({theta} rad, {omega} rad/s)")

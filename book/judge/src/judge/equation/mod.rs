@@ -20,7 +20,7 @@ pub use solved::{Solved, Solver};
 
 use self::departure::{in_words, short};
 use self::field::{Field, STARTS};
-use super::probe::{G_OVER_L, Probe, frequency, step};
+use super::probe::{G_OVER_L, Probe, distance, frequency, step};
 use super::series::{least_squares, residual};
 use super::verdict::{Measured, Trouble};
 use crate::stranger::{Request, Stranger};
@@ -53,7 +53,7 @@ impl Looked {
 }
 
 /// A change of what is taken and handed out that can be seen without a rate, and what undoes it.
-pub fn output(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
+pub fn output(probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
     // Angles beyond half a turn, to both sides of it.
     let mut ends = Vec::new();
     for (theta, omega) in [(4.0, 1.0), (-0.5, -1.0), (-4.0, 1.0), (7.0, 0.5)] {
@@ -73,7 +73,7 @@ pub fn output(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<Option<(De
             break;
         }
     }
-    if late && is_right(&Undone { stranger, undo: Undo::Late(1) })? {
+    if late {
         let sentence = "Each state is handed out a step late: the first row is the start";
         return Ok(Some((Departure::new(Kind::RowsLate, &[1.0], sentence), Undo::Late(1))));
     }
@@ -82,8 +82,14 @@ pub fn output(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<Option<(De
 
 /// Whether the field is the pendulum's.
 fn is_right(stranger: &dyn Stranger) -> Measured<bool> {
+    is_right_to(stranger, 0.0)
+}
+
+/// Whether it is to `known_to`, in units of √(g/L) and g/L.
+fn is_right_to(stranger: &dyn Stranger, known_to: f64) -> Measured<bool> {
     let probe = Probe::new(stranger)?;
-    let field = field::measure(&probe, G_OVER_L, 0)?;
+    let mut field = field::measure(&probe, G_OVER_L, 0)?;
+    field.known_to = field.known_to.map(|known| libm::fmaximum(known, known_to));
     Ok(field.off().0 <= SURE)
 }
 
@@ -99,7 +105,7 @@ pub fn cut_off(probe: &Probe<'_>) -> Measured<Option<Departure>> {
             numbers.extend([z.theta, z.omega]);
         }
     }
-    Ok(output::cut_off(&numbers))
+    Ok(output::cut_off(&numbers, probe.rounding))
 }
 
 /// What is found of the equation, and what undoes it, if it is a change of output.
@@ -139,6 +145,11 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
     let fields = [field, four, quarter];
     let far = field::from(probe, &field::FAR, G_OVER_L, 0)?;
     let (departure, solved) = rates::told(&fields, &far);
+    // What breaks off is broken again where the properties are measured.
+    let (departure, solved) = match forgets(probe) {
+        Ok(false) => (at_the_start(departure), None),
+        _ => (departure, solved),
+    };
     let in_degrees = departure.kind == Kind::DegreesInAndOut;
     let undo = in_degrees.then_some(Undo::InAndOut([core::f64::consts::PI / 180.0; 2]));
     let [field, ..] = &fields;
@@ -159,6 +170,44 @@ fn first_step(field: &Field) -> (Looked, Option<Undo>) {
     let sentence = "Each state is handed out a step early: the first row is that of two steps";
     let departure = Departure::new(Kind::RowsEarly, &[1.0], sentence);
     (Looked::with(Some(departure), field), Some(Undo::Early(1)))
+}
+
+/// Whether a step is the same late in a run as from its state: that of a force that depends on the
+/// time, or on what was before, is another one.
+fn forgets(probe: &Probe<'_>) -> Measured<bool> {
+    let h = step(0.1);
+    let mut apart = 0.0_f64;
+    for start in [Phase { theta: 0.4, omega: 0.3 }, Phase { theta: -0.7, omega: 1.0 }] {
+        let states = probe.states(Request::run(start, h, 200))?;
+        for k in [60, 130, 198] {
+            let anew = probe.end(Request::run(states[k], h, 1))?;
+            apart = libm::fmaximum(apart, distance(anew, states[k + 1]));
+        }
+    }
+    // By less than a hundredth of the way of a step.
+    Ok(apart <= 1e-3 + 100.0 * probe.rounding)
+}
+
+/// What is found at t = 0 of a force that depends on the time, or on what was before.
+fn at_the_start(departure: Departure) -> Departure {
+    let of_steps = departure.kind == Kind::Step;
+    let Departure { sentence, values, .. } = departure;
+    if of_steps {
+        let sentence = format!(
+            "The steps are not all of one length: the first is {} h",
+            in_words(values[0], 1e-6)
+        );
+        return Departure::new(Kind::Values, &values, sentence);
+    }
+    let found = match sentence.split_once(": ") {
+        Some((_, found)) => found.to_string(),
+        None => sentence,
+    };
+    let sentence = format!(
+        "The force depends on the time, or on what was before: in the first step {}",
+        found.to_lowercase().replace("g/l", "g/L")
+    );
+    Departure::new(Kind::Values, &values, sentence)
 }
 
 /// What was done with the step, where no field can be had: a step that is the same whatever is
@@ -222,14 +271,27 @@ fn times(probe: &Probe<'_>) -> Measured<Option<f64>> {
 /// acts.
 fn fixed_step(probe: &Probe<'_>) -> Measured<Departure> {
     let start = Phase { theta: 0.0, omega: 1.0 };
-    let end = probe.end(Request::run(start, step(0.25), 1).with(1e-9))?;
+    let end = |steps| probe.end(Request::run(start, step(0.25), steps).with(1e-9));
+    let (one, two) = (end(1)?, end(2)?);
     let known_to = 1e-9 + 10.0 * probe.rounding;
-    if !(end.omega - 1.0).abs().le(&1e-6) {
+    let other = Request::run(Phase { theta: 0.5, omega: -1.0 }, step(0.25), 1);
+    if probe.end(other)? == probe.end(Request::run(start, step(0.25), 1))? {
+        let [theta, omega] = [one.theta, one.omega].map(|x| in_words(x, known_to));
+        let sentence = format!("It leads to ({theta} rad, {omega} rad/s), wherever it starts");
+        return Ok(Departure::new(Kind::Values, &[one.theta, one.omega], sentence));
+    }
+    let moves = (one.omega - 1.0).abs() <= 1e-6 && one.theta != 0.0;
+    if !moves {
         let sentence = "A step is the same, however long it is to be";
         return Ok(Departure::new(Kind::FixedStep, &[], sentence));
     }
-    let h = short(end.theta, known_to);
-    let sentence = format!("Its step is {} s, whatever is asked for", in_words(h, known_to));
+    let h = short(one.theta, known_to);
+    let words = in_words(h, known_to);
+    let sentence = if (two.theta - one.theta).abs() <= 1e-6 * one.theta.abs() {
+        format!("A run takes {words} s, however many steps of whatever length are asked for")
+    } else {
+        format!("Its step is {words} s, whatever is asked for")
+    };
     Ok(Departure::new(Kind::FixedStep, &[h], sentence))
 }
 
@@ -239,14 +301,27 @@ fn by_jumps(
     field: &Field,
 ) -> Measured<(Looked, Option<Undo>)> {
     let (departure, undos) = jumps::told(probe, field)?;
-    for undo in undos {
-        if is_right(&Undone { stranger, undo })? {
+    for undo in undos.iter().copied() {
+        // A factor is known to what the jumps are.
+        let known_to = if departure.kind == Kind::Scaled { 1e-8 } else { 0.0 };
+        if is_right_to(&Undone { stranger, undo }, known_to)? {
+            let departure = match undo {
+                Undo::In(_) if departure.kind == Kind::Scaled => taken(departure),
+                _ => departure,
+            };
             return Ok((Looked::with(Some(departure), field), Some(undo)));
         }
     }
-    // It hands out something else than its state, and solves something else, too.
+    // Behind it stands another equation; which of several changes it is cannot be told.
+    let alone = if let [undo] = undos[..] { Some(undo) } else { None };
     let looked = Looked { force: Vec::new(), ..Looked::with(Some(departure), field) };
-    Ok((looked, None))
+    Ok((looked, alone))
+}
+
+/// A factor of what is handed out is one of what is taken.
+fn taken(departure: Departure) -> Departure {
+    let sentence = departure.sentence.replace("it hands out", "it takes the start for");
+    Departure { sentence, ..departure }
 }
 
 /// A rate that vanishes, whose change goes with the square of the step, or is none.
@@ -296,9 +371,10 @@ fn stays(probe: &Probe<'_>, part: fn(&Phase) -> f64) -> Measured<bool> {
     for [theta, q] in STARTS.into_iter().take(6) {
         let start = Phase { theta, omega: q * frequency() };
         for x in [0.05, 0.4] {
-            let end = probe.end(Request::run(start, step(x), 1))?;
-            if (part(&end) - part(&start)).abs() > 30.0 * probe.rounding * frequency() {
-                return Ok(false);
+            for z in probe.states(Request::run(start, step(x), 3))? {
+                if (part(&z) - part(&start)).abs() > 30.0 * probe.rounding * frequency() {
+                    return Ok(false);
+                }
             }
         }
     }

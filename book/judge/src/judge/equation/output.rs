@@ -155,26 +155,50 @@ pub fn printed(numbers: &[f64]) -> (Option<usize>, Option<usize>) {
     (decimals, digits)
 }
 
-/// What numbers of a few decimals, or digits, say; `None` for those of double precision.
-pub fn cut_off(numbers: &[f64]) -> Option<Departure> {
+/// Whether these are numbers in single precision, as they are or in the fewest digits that tell
+/// them.
+fn single(numbers: &[f64]) -> bool {
+    numbers.iter().all(|x| {
+        let single = *x as f32;
+        f64::from(single) == *x || single.to_string().parse() == Ok(*x)
+    })
+}
+
+/// What numbers of a few decimals, or digits, say of a program that rounds by `rounding`; `None`
+/// for those that are not cut off, or by less than they are rounded anyway.
+pub fn cut_off(numbers: &[f64], rounding: f64) -> Option<Departure> {
     // Numbers that are short by themselves, as 0, tell nothing.
     let numbers: Vec<f64> = numbers.iter().copied().filter(|x| *x != 0.0).collect();
     if numbers.len() < 40 {
         return None;
     }
+    let (decimals, digits) = printed(&numbers);
+    // Of seven digits each is one of a number in single precision.
+    let few = decimals.is_some_and(|n| n <= 6) || digits.is_some_and(|n| n <= 7);
+    if !few && single(&numbers) {
+        return None;
+    }
+    // What is cut off by far less than it is rounded is not what rounds.
+    let coarse = |last: f64| rounding <= 30.0 * last;
     // A word for each up to nine.
     let count = |n: usize| {
         const WORDS: [&str; 9] =
             ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
         n.checked_sub(1).and_then(|n| WORDS.get(n)).map_or(n.to_string(), |word| word.to_string())
     };
-    match printed(&numbers) {
+    match (decimals, digits) {
         (decimals, Some(digits)) if decimals.is_none_or(|decimals| digits <= decimals) => {
+            if !coarse(libm::pow(10.0, 1.0 - digits as f64)) {
+                return None;
+            }
             let sentence = format!("It prints {} significant digits", count(digits));
             Some(Departure::new(Kind::Digits, &[digits as f64], sentence))
         }
         (Some(0), _) => Some(Departure::new(Kind::Decimals, &[0.0], "It prints whole numbers")),
         (Some(decimals), _) => {
+            if !coarse(libm::pow(10.0, -(decimals as f64))) {
+                return None;
+            }
             let power = format!("10⁻{}", crate::judge::report::raised(decimals));
             let (many, s) = (count(decimals), if decimals == 1 { "" } else { "s" });
             let sentence =

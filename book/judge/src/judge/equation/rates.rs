@@ -177,7 +177,12 @@ pub fn told(fields: &[Field; 3], far: &Field) -> (Departure, Option<Solved>) {
     let drift = least_squares(&velocity, &drifts);
     let left = residual(&velocity, &drift, &drifts);
     let drift = drift[0];
-    if left > known_to {
+    let same = |field: &Field| {
+        let drifts = velocities(field);
+        let there = least_squares(&velocity, &drifts)[0];
+        (there - drift).abs() <= 10.0 * field.known_to[1] + known_to + 1e-3 * (drift - 1.0).abs()
+    };
+    if left > known_to || !fields[1..].iter().all(same) {
         return (values(field), None);
     }
     let forces = forces(field);
@@ -201,7 +206,7 @@ pub fn told(fields: &[Field; 3], far: &Field) -> (Departure, Option<Solved>) {
     let Some(told) = Told::of(drift, force.clone(), at, coarse) else {
         return (values(field), None);
     };
-    (told.departure(known_to), told.solved(known_to))
+    (told.departure(known_to), Some(told.solved(known_to)))
 }
 
 fn velocities(field: &Field) -> Vec<f64> {
@@ -217,7 +222,8 @@ struct Told {
     drift: f64,
     force: Force,
     gravity: Scaling,
-    damping: Scaling,
+    /// Of each term beside the force of the angle.
+    beside: Vec<Scaling>,
 }
 
 impl Told {
@@ -228,16 +234,14 @@ impl Told {
         coarse: f64,
     ) -> Option<Self> {
         let gravity = scaling(at(&|force| force.factor), coarse);
-        // A damping of 0.1/s is, in units of √(g/L), half as large at 4 g/L.
-        let of_terms = force.terms.iter().map(|term| scaling(at(&|f| f.beside[*term]), coarse));
-        let of_terms: Vec<Scaling> = of_terms.collect();
-        let damping = of_terms.first().copied().unwrap_or(Scaling::Right);
+        let beside = force.terms.iter().map(|term| scaling(at(&|f| f.beside[*term]), coarse));
+        let beside: Vec<Scaling> = beside.collect();
         let known = |scaling: &Scaling| *scaling != Scaling::Other;
-        (known(&gravity) && of_terms.iter().all(known)).then_some(Self {
+        (known(&gravity) && beside.iter().all(known)).then_some(Self {
             drift,
             force,
             gravity,
-            damping,
+            beside,
         })
     }
 
@@ -257,7 +261,7 @@ impl Told {
             let sentence = "The force has the wrong sign: θ = 0 is where it falls from";
             Departure::new(Kind::Sign, &[factor], sentence)
         } else if (drift - factor).abs() <= known_to + 1e-3 * (drift - 1.0).abs() {
-            return of_step(short(drift, known_to));
+            return of_step(short(drift, known_to)).solving(equation);
         } else if one(drift) {
             let times = short(factor, known_to);
             let rod = if (times - 1.5).abs() < 1e-6 { "; a uniform rod has 1.5 g/L" } else { "" };
@@ -339,14 +343,26 @@ impl Told {
         Departure::new(kind, &values, sentence)
     }
 
-    /// The numbers of the terms beside the force of the angle, in their own units, and in words.
+    /// The numbers of the terms beside the force of the angle, and these in words, with the power
+    /// of g/L with which they go: 0.1/s, 0.1 √(g/L).
     fn terms_in_words(&self, known_to: f64) -> (Vec<f64>, Vec<String>) {
-        let frequency = libm::sqrt(G_OVER_L);
-        let terms = self.force.terms.iter().map(|&term| {
-            let unit = [frequency, 1.0, G_OVER_L][term];
+        let terms = self.force.terms.iter().zip(&self.beside).map(|(&term, scaling)| {
+            // What is in units of √(g/L), of nothing and of g/L goes with that if it is right.
+            let own = [0.5, 0.0, 1.0][term];
+            let power = match scaling {
+                Scaling::Power(power) => own + power,
+                _ => own,
+            };
+            let unit = libm::pow(G_OVER_L, own - power);
             let value = short(self.force.beside[term] * unit, known_to * unit);
             let words = in_words(value, known_to * unit);
-            (value, format!("{words}{}", ["/s", "", " 1/s²"][term]))
+            let unit = match (power, term) {
+                (0.0, 0) => "/s".to_string(),
+                (0.0, 1) => String::new(),
+                (0.0, _) => " 1/s²".to_string(),
+                (power, _) => format!(" {}", power_of_g(power)),
+            };
+            (value, format!("{words}{unit}"))
         });
         terms.unzip()
     }
@@ -354,6 +370,8 @@ impl Told {
     /// The equation, in words.
     fn equation(&self, known_to: f64) -> String {
         let Self { drift, ref force, gravity, .. } = *self;
+        // Where the angle goes with another rate than ω, both are written.
+        let system = (drift - 1.0).abs() > known_to;
         let factor = force.factor;
         let minus = if factor < 0.0 { "" } else { "−" };
         let size = factor.abs();
@@ -377,24 +395,27 @@ impl Told {
         for (term, words) in force.terms.iter().zip(self.terms_in_words(known_to).1) {
             let against = *term != 2;
             let negative = words.starts_with('−');
-            let words = words.trim_start_matches('−').trim_end_matches("/s").trim_end();
+            let words = words.trim_start_matches('−').trim_end_matches("/s");
             let sign = if against == negative { " + " } else { " − " };
             let words = words.trim_end_matches(" 1/s²");
-            let what = [" θ̇", " θ̇ |θ̇|", ""][*term];
+            let what = match system {
+                false => [" θ̇", " θ̇ |θ̇|", ""],
+                true => [" ω", " ω |ω|", ""],
+            }[*term];
             right = format!("{right}{sign}{words}{what}");
         }
         if right.is_empty() {
             right.push('0');
         }
-        match (drift - 1.0).abs() <= known_to {
-            true => format!("θ̈ = {right}"),
-            false => format!("θ̇ = {} ω, ω̇ = {}", in_words(drift, known_to), right),
+        match system {
+            false => format!("θ̈ = {right}"),
+            true => format!("θ̇ = {} ω, ω̇ = {}", in_words(drift, known_to), right),
         }
     }
 
     /// The same as a system, on which methods can be tried.
-    fn solved(&self, known_to: f64) -> Option<Solved> {
-        let Self { drift, ref force, gravity, damping } = *self;
+    fn solved(&self, known_to: f64) -> Solved {
+        let Self { drift, ref force, gravity, .. } = *self;
         let frequency = libm::sqrt(G_OVER_L);
         let exponent = match gravity {
             Scaling::Power(power) => power,
@@ -402,23 +423,20 @@ impl Told {
         };
         let factor = short(force.factor * libm::pow(G_OVER_L, -exponent), known_to);
         let [linear, quadratic, torque] = force.beside;
-        let own = damping != Scaling::Right || force.terms.is_empty();
-        own.then(|| {
-            let factor = match force.shape {
-                DEGREES if (factor - 180.0 / PI).abs() <= 60.0 * known_to => 180.0 / PI,
-                _ => factor,
-            };
-            Solved {
-                drift: short(drift, known_to),
-                force: SHAPES[force.shape].value,
-                g_over_l: factor * libm::pow(G_OVER_L, exponent + 1.0),
-                linear: short(linear * frequency, known_to * frequency),
-                quadratic: short(quadratic, known_to),
-                torque: short(torque * G_OVER_L, known_to * G_OVER_L),
-                lost: 1.0,
-                known_to,
-            }
-        })
+        let factor = match force.shape {
+            DEGREES if (factor - 180.0 / PI).abs() <= 60.0 * known_to => 180.0 / PI,
+            _ => factor,
+        };
+        Solved {
+            drift: short(drift, known_to),
+            force: SHAPES[force.shape].value,
+            g_over_l: factor * libm::pow(G_OVER_L, exponent + 1.0),
+            linear: short(linear * frequency, known_to * frequency),
+            quadratic: short(quadratic, known_to),
+            torque: short(torque * G_OVER_L, known_to * G_OVER_L),
+            lost: 1.0,
+            known_to,
+        }
     }
 }
 
@@ -437,6 +455,7 @@ pub fn of_step(times: f64) -> Departure {
 fn power_of_g(power: f64) -> String {
     match power {
         0.5 => "√(g/L)".to_string(),
+        1.0 => "(g/L)".to_string(),
         1.5 => "(g/L) √(g/L)".to_string(),
         2.0 => "(g/L)²".to_string(),
         -1.0 => "L/g".to_string(),
@@ -470,11 +489,12 @@ fn values(field: &Field) -> Departure {
     let (value, right, sentence) = if part == 1 {
         let (value, right) = (rate * G_OVER_L, -libm::sin(theta) * G_OVER_L);
         let known_to = (known_to * G_OVER_L).max(5e-3 * right.abs().min(1.0));
+        let known_to = known_to.min(0.05 * (value - right).abs());
         let [a, b] = [value, right].map(|x| in_words(x, known_to));
         (value, right, format!("{place} the force is {a}, not {b} 1/s²"))
     } else {
         let (value, right) = (rate * frequency, q * frequency);
-        let known_to = (known_to * frequency).max(5e-3);
+        let known_to = (known_to * frequency).max(5e-3).min(0.05 * (value - right).abs());
         let [a, b] = [value, right].map(|x| in_words(x, known_to));
         (value, right, format!("{place} the angle's rate is {a}, not {b} rad/s"))
     };
