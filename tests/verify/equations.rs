@@ -2,7 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use pendula_judge::{Claims, FromFn, Kind, Report, Verdict, judge};
+use pendula::Phase;
+use pendula_judge::{
+    Claims, Fault, FromFn, Kind, Reply, Report, Request, Stranger, Verdict, judge, try_judge,
+};
 use rstest::rstest;
 
 /// (θ, ω).
@@ -744,4 +747,153 @@ fn each_sort_is_told(#[values(0, 1, 2, 3, 4, 5)] part: usize) {
             assert_eq!(found, Some(kind), "{what}: {report}");
         }
     }
+}
+
+// -------------------------------------------------------------------------------------------------
+// What single steps from one pendulum cannot tell
+// -------------------------------------------------------------------------------------------------
+
+fn saturated(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    euler(theta, omega, h, n, |theta, _| -g * theta.clamp(-1.0, 1.0))
+}
+
+fn half_of_both(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    right(g, theta, omega, h, n).into_iter().map(|(a, b)| (0.5 * a, 0.5 * b)).collect()
+}
+
+fn velocity_taken_for_a_tenth(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    right(g, theta, 0.1 * omega, h, n)
+}
+
+fn late_and_linear(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    let states = linear(g, theta, omega, h, n).into_iter();
+    [(theta, omega)].into_iter().chain(states).take(n as usize).collect()
+}
+
+fn damped_with_its_frequency(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    euler(theta, omega, h, n, |theta, omega| -g * theta.sin() - 0.1 * g.sqrt() * omega)
+}
+
+fn pushed_with_its_gravity(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    euler(theta, omega, h, n, |theta, _| -g * (theta.sin() - 0.1))
+}
+
+fn pushed_to_and_fro(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    let mut z = (theta, omega);
+    (0..n)
+        .map(|k| {
+            let omega = z.1 + h * (0.3 * (k as f64 * h).cos() - g * z.0.sin());
+            z = (z.0 + h * omega, omega);
+            z
+        })
+        .collect()
+}
+
+fn linear_near_the_bottom(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    euler(
+        theta,
+        omega,
+        h,
+        n,
+        |theta, _| {
+            if theta.abs() < 0.3 { -g * theta } else { -g * theta.sin() }
+        },
+    )
+}
+
+fn ten_seconds(g: f64, theta: f64, omega: f64, _: f64, n: u64) -> Vec<State> {
+    right(g, theta, omega, 10.0 / n as f64, n)
+}
+
+/// Catches: a mistake named since one of its answers is met; a number that holds at one g/L handed
+/// on for all; a factor of what is taken told of what is handed out; what acts at t = 0 taken for
+/// what acts always; an equation behind another output that is not looked for.
+#[rstest]
+#[case::saturated(
+    saturated,
+    Kind::Values,
+    "It solves another equation: at θ = 1 rad and ω = 0 the force is −12.26, not −10.32 1/s²"
+)]
+#[case::half_of_both(
+    half_of_both,
+    Kind::Scaled,
+    "At g/L = 12.2625 1/s² it hands out 0.5 times the angle and the velocity"
+)]
+#[case::velocity_taken_for_a_tenth(
+    velocity_taken_for_a_tenth,
+    Kind::Scaled,
+    "At g/L = 12.2625 1/s² it takes the start for 0.1 times the velocity"
+)]
+#[case::late_and_linear(
+    late_and_linear,
+    Kind::Force,
+    "It solves θ̈ = −(g/L) θ: the angle stands in place of its sine"
+)]
+#[case::damped_with_its_frequency(
+    damped_with_its_frequency,
+    Kind::Damping,
+    "It solves a damped pendulum: ω is braked at 0.1 √(g/L)"
+)]
+#[case::pushed_with_its_gravity(
+    pushed_with_its_gravity,
+    Kind::Torque,
+    "It solves another pendulum: a torque of 0.1 (g/L) acts on the pendulum"
+)]
+#[case::pushed_to_and_fro(
+    pushed_to_and_fro,
+    Kind::Values,
+    "The force depends on the time, or on what was before: in the first step a torque of 0.3 1/s² \
+     acts on the pendulum"
+)]
+#[case::linear_near_the_bottom(
+    linear_near_the_bottom,
+    Kind::Values,
+    "It solves another equation: at θ = 0.15 rad and ω = 4.9 rad/s the force is −1.8394, not \
+     −1.8325 1/s²"
+)]
+#[case::ten_seconds(
+    ten_seconds,
+    Kind::FixedStep,
+    "A run takes 10 s, however many steps of whatever length are asked for"
+)]
+fn no_more_is_told_than_is_found(
+    #[case] program: Program,
+    #[case] kind: Kind,
+    #[case] sentence: &str,
+) {
+    let report = judge(&FromFn(program), Claims::order(1));
+    let found = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
+    assert_eq!((found.kind, found.sentence.as_str()), (kind, sentence), "{report}");
+    let of_another = |line: &String| line.contains("known mistake in") && kind != Kind::Force;
+    assert!(!report.look_at.iter().any(of_another), "{report}");
+}
+
+/// A program that ends, as many do, where its numbers are too large.
+struct Ending(Program);
+
+impl Stranger for Ending {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        let reply = FromFn(self.0).answer(request)?;
+        let large = |z: &Phase| !(z.theta.abs() < 30.0 && z.omega.abs() < 30.0);
+        match reply.states.iter().any(large) && request.start.theta.abs() < 10.0 {
+            true => Err(Fault::Broken("OverflowError".to_string())),
+            false => Ok(reply),
+        }
+    }
+}
+
+fn series(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    euler(theta, omega, h, n, |theta, _| -g * (theta - theta.powi(3) / 6.0))
+}
+
+/// Catches: an equation that is found and lost, since the program breaks off where a property is
+/// measured; a right program that breaks off taken for one that was judged.
+#[test]
+fn a_program_that_breaks_off_is_told_its_equation() {
+    let report = judge(&Ending(series), Claims::order(1));
+    let found = report.departure.as_ref().map(|found| found.kind);
+    assert_eq!((found, report.verdict), (Some(Kind::Force), Verdict::Fails), "{report}");
+    assert!(report.look_at[1].starts_with("It broke off: "), "{report}");
+    let of_a_right_one = try_judge(&Ending(right), Claims::order(1));
+    assert_eq!(of_a_right_one.err(), Some(Fault::Broken("OverflowError".to_string())));
 }
