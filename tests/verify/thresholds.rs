@@ -5,6 +5,7 @@ use pendula::{Motion, Pendulum, Phase, method_named};
 use rstest::rstest;
 
 use super::Verdict::{self, Fails, Holds, NotMeasured, Unclear};
+use super::answers::{Answers, Name};
 use super::area::{Defect, judge as area};
 use super::energy::verdict as energy;
 use super::expansion::deviation_with;
@@ -18,6 +19,7 @@ use super::stage_times::verdict as stage_times;
 use super::symmetry::Apart;
 use super::{Claims, Finding, Report, judge};
 use crate::common::Random;
+use crate::known_answers;
 use crate::properties::error_constant::leading_local_error;
 use crate::{Chosen, Fault, FromFn, Reply, Request, Stranger};
 
@@ -191,6 +193,23 @@ fn of_a_high_order() {
 /// Near one of the states at which the area is measured, and none of the equation's.
 fn between(request: &Request) -> bool {
     (2.4..2.55).contains(&request.start.theta)
+}
+
+/// A program that is off by a third of what the file allows, as plain programs are at most, has its
+/// name: all entries but those that are one map on a pendulum without a drive.
+///
+/// Catches: a name that is withheld from a right program, or given to another one.
+#[test]
+fn each_known_method_has_its_name() {
+    for known in known_answers::methods() {
+        let third = |answer: &known_answers::Answer| answer.tolerance / 3.0;
+        for answers in [Answers::as_of(known, |_| 0.0), Answers::as_of(known, third)] {
+            let claims = Claims::none().name(known.name.as_str());
+            let name = answers.method(&claims);
+            let Name::One(found) = name else { panic!("{}: {name:?}", known.name) };
+            assert_eq!(found.known.name, known.name);
+        }
+    }
 }
 
 /// Störmer–Verlet, and something else where a request is of one kind.

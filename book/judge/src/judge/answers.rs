@@ -81,6 +81,27 @@ impl Answers {
             .with_tolerance(200.0 * tolerance))
     }
 
+    /// Of a stranger that answers as the file has it of `known`, each number off by so many of its
+    /// roundings, 2⁻⁵².
+    #[cfg(test)]
+    pub fn as_of(known: &Known, roundings: impl Fn(&Answer) -> f64) -> Self {
+        let rounding = f64::EPSILON;
+        let mut runs: Vec<(&'static Scene, Vec<Phase>)> = Vec::new();
+        for answer in known.answers.iter().filter(|answer| answer.scene.time == 0.0) {
+            let last = runs.iter().position(|(scene, _)| scene.name == answer.scene.name);
+            let place = last.unwrap_or_else(|| {
+                let nothing = Phase { theta: f64::NAN, omega: f64::NAN };
+                runs.push((answer.scene, vec![nothing; 8]));
+                runs.len() - 1
+            });
+            let Phase { theta, omega } = answer.state;
+            let off = roundings(answer) * rounding * theta.abs().max(omega.abs());
+            let state = Phase { theta: theta + off, omega: omega - off };
+            runs[place].1[answer.steps as usize - 1] = state;
+        }
+        Self { runs, rounding, tolerance: 0.0 }
+    }
+
     /// Of a stranger that answered nothing.
     pub const fn none() -> Self {
         Self { runs: Vec::new(), rounding: 1.0, tolerance: 0.0 }
