@@ -897,3 +897,26 @@ fn a_program_that_breaks_off_is_told_its_equation() {
     let of_a_right_one = try_judge(&Ending(right), Claims::order(1));
     assert_eq!(of_a_right_one.err(), Some(Fault::Broken("OverflowError".to_string())));
 }
+
+/// A program that refuses angles beyond half a turn, steps back and long ones.
+struct Refusing(Program);
+
+impl Stranger for Refusing {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        let long = !(0.0..0.1).contains(&request.step);
+        if long || request.start.theta.abs() > PI {
+            return Err(Fault::Refused("not here".to_string()));
+        }
+        FromFn(self.0).answer(request)
+    }
+}
+
+/// Catches: an equation that is not told of a program which refuses some of what it is asked.
+#[test]
+fn a_program_that_refuses_is_told_its_equation() {
+    let report = judge(&Refusing(friction), Claims::order(1));
+    let found = report.departure.as_ref().map(|found| (found.kind, &found.values[..]));
+    assert_eq!(found, Some((Kind::Damping, &[0.1][..])), "{report}");
+    let report = judge(&Refusing(right), Claims::order(1));
+    assert!(report.departure.is_none(), "{report}");
+}

@@ -231,7 +231,13 @@ type Candidate = (&'static dyn AnyMethod, Seen, f64);
 
 /// The known method that the stranger is, seen directly; else that of the library, seen from half a
 /// kick or drift away or by its angles alone, and of several that of the order `shown`.
-pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<Option<Identity>> {
+/// Behind a `changed` output it may be seen directly, too, to what the change rounds.
+pub fn identify(
+    probe: &Probe<'_>,
+    name: &Name,
+    shown: Option<u32>,
+    changed: bool,
+) -> Measured<Option<Identity>> {
     match name {
         Name::One(found) => return Ok(Some(Identity::from(*found))),
         // What agrees with several methods is not looked at from elsewhere.
@@ -244,7 +250,7 @@ pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<
     let methods: Vec<&'static dyn AnyMethod> = first.into_iter().chain(then).collect();
     for angles_only in [false, true] {
         // Where the digits of double precision are cut off it may be seen directly, too.
-        let directly = probe.rounding > DOUBLE && !angles_only;
+        let directly = (changed || probe.rounding > DOUBLE) && !angles_only;
         let found = from_elsewhere(&asked, &methods, angles_only, directly);
         let Some((method, seen, apart)) = found else { continue };
         let MethodInfo { name, title, .. } = method.info();

@@ -389,14 +389,16 @@ impl Judge<'_> {
 
     /// The method that it is, on the equation that it solves.
     fn identified(&self, shown: Option<u32>) -> Measured<Option<Identity>> {
+        let output = self.report.departure.as_ref().map(|found| found.kind.place());
+        let changed = output == Some(Place::Output);
         let looked = match &self.looked {
             Ok(Some(looked)) => looked,
-            _ => return identity::identify(&self.probe, &self.name, shown),
+            _ => return identity::identify(&self.probe, &self.name, shown, changed),
         };
         let Looked { departure, solved, .. } = looked;
         let Some(departure) = departure.as_ref().filter(|it| it.kind.place() == Place::Equation)
         else {
-            return identity::identify(&self.probe, &self.name, shown);
+            return identity::identify(&self.probe, &self.name, shown, changed);
         };
         let Some(solved) = solved else { return Ok(None) };
         let solver = solved.method(&identity::Asked::of(&self.probe)?);

@@ -22,7 +22,7 @@ use self::departure::{in_words, short};
 use self::field::{Field, STARTS};
 use super::probe::{G_OVER_L, Probe, distance, frequency, step};
 use super::series::{least_squares, residual};
-use super::verdict::{Measured, Trouble};
+use super::verdict::{Measured, Trouble, told};
 use crate::stranger::{Request, Stranger};
 use pendula::systems::Phase;
 
@@ -143,8 +143,9 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
     let four = field::measure(probe, 4.0 * G_OVER_L, 0)?;
     let quarter = field::measure(probe, 0.25 * G_OVER_L, 0)?;
     let fields = [field, four, quarter];
-    let far = field::from(probe, &field::FAR, G_OVER_L, 0)?;
-    let (departure, solved) = rates::told(&fields, &far);
+    // A program may refuse angles beyond half a turn.
+    let far = told(field::from(probe, &field::FAR, G_OVER_L, 0))?;
+    let (departure, solved) = rates::told(&fields, far.as_ref());
     // What breaks off is broken again where the properties are measured.
     let (departure, solved) = match forgets(probe) {
         Ok(false) => (at_the_start(departure), None),

@@ -105,7 +105,8 @@ impl Force {
 
     /// Whether it has the values of `far`, from [`FAR`], where its factor, known to `known_to`,
     /// matters so many times more.
-    fn reaches(&self, far: &Field, known_to: f64) -> bool {
+    fn reaches(&self, far: Option<&Field>, known_to: f64) -> bool {
+        let Some(far) = far else { return true };
         let there = far.rate.iter().zip(FAR).map(|(rate, [theta, _])| {
             let own = self.beside[2] - self.factor * (SHAPES[self.shape].value)(theta);
             let room = 10.0 * far.known_to[1] + 1e2 * known_to + 1e-3 * own.abs();
@@ -116,7 +117,7 @@ impl Force {
 
     /// The simplest that has these values at the starts, to `known_to`, and those of `far`; none if
     /// there is none, or if two with other functions of the angle have.
-    fn of(forces: &[f64], far: &Field, known_to: f64) -> Option<Self> {
+    fn of(forces: &[f64], far: Option<&Field>, known_to: f64) -> Option<Self> {
         for terms in TERMS {
             let all = (0..SHAPES.len()).map(|shape| Self::fitted(shape, terms, forces));
             let fit: Vec<Self> =
@@ -168,8 +169,8 @@ fn scaling([one, four, quarter]: [f64; 3], known_to: f64) -> Scaling {
 
 /// What the fields at g/L = [`G_OVER_L`], four times and a quarter of it say, which are not all the
 /// pendulum's, and the equation that is solved, as far as it is known.
-/// `far` is the field of the first from [`FAR`].
-pub fn told(fields: &[Field; 3], far: &Field) -> (Departure, Option<Solved>) {
+/// `far` is the field of the first from [`FAR`], if there is one.
+pub fn told(fields: &[Field; 3], far: Option<&Field>) -> (Departure, Option<Solved>) {
     let [field, ..] = fields;
     let known_to = 10.0 * field.known_to[1] + 1e-11;
     let drifts = velocities(field);
