@@ -60,10 +60,11 @@
 //! judge(&ForwardEuler, Claims::order(1).symplectic()).assert();
 //! ```
 //!
-//! Of whom anything is claimed, this is claimed by implication: that it respects the mirror, the
-//! unit of time and a full turn, that n steps are n·h, that the same question has the same answer,
-//! that it computes in double precision, and that its stages know the time, if it can be driven.
-//! Without claims it is said what it is, and nothing is judged.
+//! Of whom anything is claimed, this is claimed by implication: that it solves the pendulum's
+//! equation, hands out its states as they are, and respects the mirror, the unit of time and a full
+//! turn; that n steps are n·h, that the same question has the same answer, that it computes in
+//! double precision, and that its stages know the time, if it can be driven. Without claims it is
+//! said what it is, and nothing is judged.
 //!
 //! A program in another language is a stranger too: [`Program`] starts it and speaks the lines of
 //! the [`protocol`] with it. For other programs a report is written in one of the [`formats`].

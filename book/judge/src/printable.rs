@@ -7,6 +7,8 @@ pub fn printable(text: &str) -> String {
     for c in text.chars() {
         match c {
             '\n' | '\t' | '"' | '\'' | '\\' | '\u{a0}' => shown.push(c),
+            // The dots of θ̈ and ω̇, which belong to the letter before them.
+            '\u{307}' | '\u{308}' if shown.ends_with(['θ', 'ω']) => shown.push(c),
             _ => shown.extend(c.escape_debug()),
         }
     }
@@ -29,7 +31,7 @@ mod tests {
     #[test]
     fn what_cannot_be_shown_is_escaped() {
         assert_eq!(printable("a\u{1b}[2J\u{202e}\r\0"), r"a\u{1b}[2J\u{202e}\r\0");
-        let plain = "\"θ₀ = 2.01 × 10⁻⁴\u{a0}J\", 'Störmer–Verlet'\\\n\t≠ —";
+        let plain = "θ̈ = −θ̇, \"θ₀ = 2.01 × 10⁻⁴\u{a0}J\", 'Störmer–Verlet'\\\n\t≠ —";
         assert_eq!(printable(plain), plain);
     }
 }

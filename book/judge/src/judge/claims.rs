@@ -5,9 +5,9 @@ use core::str::FromStr;
 
 use crate::known_answers::{self, Known};
 
-/// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (mirror,
-/// turn, units, clock, repeatable, precision, and stage times where there is a drive) is not listed
-/// here.
+/// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (equation,
+/// output, mirror, turn, units, clock, repeatable, precision, and stage times where there is a
+/// drive) is not listed here.
 ///
 /// ```
 /// use pendula_judge::Claims;

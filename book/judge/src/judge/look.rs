@@ -59,6 +59,8 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
             return Ok(Looking { sentences: in_words(causes, &failed), resembles });
         }
         causes.push(other_equation(found, report));
+        let by_itself = !follows(found.kind).contains(&"reversal");
+        causes.extend(not_undone(&failed).filter(|_| by_itself));
         causes.extend(
             report.mistake.map(|known| Cause { text: in_a_sentence(known), explains: &[] }),
         );
@@ -92,11 +94,7 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
     if !digits {
         causes.extend(report.finding("precision").and_then(precision));
     }
-    // What is lost on the way out and home is lost by the way back.
-    if failed.contains(&"reversal") && failed.contains(&"loss") && alike.is_none() {
-        let text = "A step with −h does not undo a step with h".to_string();
-        causes.push(Cause { text, explains: &["reversal", "loss"] });
-    }
+    causes.extend(not_undone(&failed).filter(|_| alike.is_none()));
     let right = report.finding("equation").is_some_and(|found| found.verdict == Verdict::Holds);
     if causes.is_empty() && report.identity.is_none() && !claims.are_none() && right {
         let nearest = told(resemblance::nearest(probe))?.flatten();
@@ -104,6 +102,15 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
     }
     let resembles = if report.identity.is_some() { None } else { resembles };
     Ok(Looking { sentences: in_words(causes, &failed), resembles })
+}
+
+/// What is lost on the way out and home is lost by the way back.
+fn not_undone(failed: &[&str]) -> Option<Cause> {
+    let both = failed.contains(&"reversal") && failed.contains(&"loss");
+    both.then(|| Cause {
+        text: "A step with −h does not undo a step with h".to_string(),
+        explains: &["reversal", "loss"],
+    })
 }
 
 /// What it resembles, under the name that it has.
@@ -150,7 +157,24 @@ fn other_equation(found: &Departure, report: &Report) -> Cause {
             format!("{}{named}{}", found.sentence, otherwise.unwrap_or_default())
         }
     };
-    resembles_in_words(text)
+    Cause { text, explains: follows(found.kind) }
+}
+
+/// What fails where the equation is another one, and the method right.
+fn follows(kind: Kind) -> &'static [&'static str] {
+    match kind {
+        // A force of the angle alone keeps area, and leads back.
+        Kind::Force
+        | Kind::SineOfDegrees
+        | Kind::Sign
+        | Kind::Gravity
+        | Kind::GravityPower
+        | Kind::FixedGravity
+        | Kind::Drift
+        | Kind::Torque => &["equation", "order", "stage-times", "units", "mirror", "turn", "name"],
+        Kind::Step => &["equation", "order", "stage-times", "units", "clock", "name"],
+        _ => EVERYTHING,
+    }
 }
 
 /// A method that is known, whose own entry is other than what is claimed.
@@ -209,22 +233,24 @@ fn in_a_sentence(known: &Known) -> String {
 
 /// What it is but for one thing.
 fn resembles_in_words(text: String) -> Cause {
-    let explains = &[
-        "equation",
-        "order",
-        "area",
-        "reversal",
-        "energy",
-        "mirror",
-        "units",
-        "turn",
-        "clock",
-        "loss",
-        "name",
-        "stage-times",
-    ];
-    Cause { text, explains }
+    Cause { text, explains: EVERYTHING }
 }
+
+/// All that a wrong step can spoil.
+const EVERYTHING: &[&str] = &[
+    "equation",
+    "order",
+    "area",
+    "reversal",
+    "energy",
+    "mirror",
+    "units",
+    "turn",
+    "clock",
+    "loss",
+    "name",
+    "stage-times",
+];
 
 /// An error of a step that begins too early.
 fn order_condition(found: &Deviation, claimed: Option<u32>) -> Cause {
