@@ -920,3 +920,15 @@ fn a_program_that_refuses_is_told_its_equation() {
     let report = judge(&Refusing(right), Claims::order(1));
     assert!(report.departure.is_none(), "{report}");
 }
+
+/// Catches: a kind that the schema of the report does not have, or one that is none.
+#[test]
+fn the_schema_has_every_kind() {
+    let schema = include_str!("../../book/judge/src/report.schema.json");
+    let schema: serde_json::Value = serde_json::from_str(schema).expect("it is JSON");
+    let kinds = &schema["properties"]["departure"]["anyOf"][1]["properties"]["kind"]["enum"];
+    let kinds: Vec<&str> =
+        kinds.as_array().expect("a list").iter().filter_map(|kind| kind.as_str()).collect();
+    let own: Vec<&str> = Kind::ALL.iter().map(|kind| kind.name()).collect();
+    assert_eq!(kinds, own);
+}
