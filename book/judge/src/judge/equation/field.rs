@@ -138,9 +138,8 @@ fn coefficients(
 }
 
 impl Field {
-    /// Whether this is the pendulum's field, as far as it is known, and by how much it is off at
-    /// most.
-    pub fn off(&self) -> (f64, f64) {
+    /// By how much this is off the pendulum's field at most, in parts of what it is known to.
+    pub fn off(&self) -> f64 {
         let jump =
             self.jump.as_flattened().iter().fold(0.0, |most, x| libm::fmaximum(most, x.abs()));
         let rates = self.rate.iter().zip(STARTS);
@@ -151,6 +150,6 @@ impl Field {
         let [jump_known, rate_known, _] = self.known_to;
         // In parts of what is known, the larger.
         let (jump, off) = (jump / jump_known, off / rate_known);
-        (libm::fmaximum(jump, off), rate_known)
+        libm::fmaximum(jump, off)
     }
 }

@@ -90,7 +90,7 @@ fn is_right_to(stranger: &dyn Stranger, known_to: f64) -> Measured<bool> {
     let probe = Probe::new(stranger)?;
     let mut field = field::measure(&probe, G_OVER_L, 0)?;
     field.known_to = field.known_to.map(|known| libm::fmaximum(known, known_to));
-    Ok(field.off().0 <= SURE)
+    Ok(field.off() <= SURE)
 }
 
 /// So many times what it is known to a value has to be off before it is said to be wrong.
@@ -114,7 +114,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
         return Ok((Looked::at(departure), None));
     }
     let field = field::measure(probe, G_OVER_L, 0)?;
-    let (off, _) = field.off();
+    let off = field.off();
     if off.is_nan() {
         return Err(Trouble::NotFinite);
     }
@@ -126,7 +126,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
         return by_jumps(stranger, probe, &field);
     }
     // A first step is another one where velocities are differences, or where older states are kept.
-    if field::measure(probe, G_OVER_L, 2)?.off().0 <= SURE {
+    if field::measure(probe, G_OVER_L, 2)?.off() <= SURE {
         return Ok(first_step(&field));
     }
     if let Some(departure) = vanishing(probe, &field)? {

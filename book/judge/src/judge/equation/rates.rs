@@ -435,7 +435,6 @@ impl Told {
             linear: short(linear * frequency, known_to * frequency),
             quadratic: short(quadratic, known_to),
             torque: short(torque * G_OVER_L, known_to * G_OVER_L),
-            lost: 1.0,
             known_to,
         }
     }

@@ -7,7 +7,7 @@ use pendula::registry::method_for_separable;
 use pendula::systems::{Phase, Separable, System};
 use pendula::{AnyMethod, Grid, METHODS};
 
-/// θ̇ = a ω, ω̇ = −(g/L) f(θ) − c ω − d ω|ω| + e, whose kicks leave a share of the velocity.
+/// θ̇ = a ω, ω̇ = −(g/L) f(θ) − c ω − d ω|ω| + e.
 #[derive(Clone, Copy, Debug)]
 pub struct Solved {
     /// a.
@@ -22,8 +22,6 @@ pub struct Solved {
     pub quadratic: f64,
     /// e (1/s²).
     pub torque: f64,
-    /// What a step leaves of the velocity.
-    pub lost: f64,
     /// What the numbers are known to, in units of √(g/L) and g/L.
     pub known_to: f64,
 }
@@ -45,7 +43,7 @@ impl Separable for Solved {
     }
 
     fn kick(&self, z: Phase, force: f64, h: f64) -> Phase {
-        Phase { omega: self.lost * (z.omega + h * force), ..z }
+        Phase { omega: z.omega + h * force, ..z }
     }
 
     fn drift(&self, z: Phase, h: f64) -> Phase {
