@@ -10,6 +10,7 @@ use std::sync::Arc;
 use anyhow::{Result, anyhow};
 use pendula_study::claims::{Claim, Measured};
 use pendula_study::experiments::Study;
+use pendula_study::questions::{self, Truth};
 use pendula_study::report::snapshots::some;
 
 use crate::progress::Progress;
@@ -33,6 +34,11 @@ pub struct Entry {
 pub trait Ledger {
     /// The entry of a claim, such as `T4.rk4.0.01`; `None` if there is no such claim.
     fn entry(&self, id: &str) -> Option<Entry>;
+
+    /// What is right in the question with this id; `None` if there is no such question.
+    fn truth(&self, id: &str) -> Option<Truth> {
+        questions::truth(id)
+    }
 
     /// What the code makes of the snapshots with these names now, and why it does not make those
     /// that it cannot. A ledger that makes none has nothing to be quoted from them.

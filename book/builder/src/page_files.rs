@@ -1,5 +1,5 @@
-//! What a page loads, and when: the scripts and styles of the lab where there is one, and nowhere
-//! else; and its fonts before its text is set, so that no line is set twice.
+//! What a page loads, and when: the scripts and styles of the lab where there is one, and the script
+//! of questions where one is asked, and nowhere else; and its fonts before its text is set, so that no line is set twice.
 //!
 //! The lab's scripts are joined to one, without comments, which another loads when it is near. They
 //! stand in a block, so that none of their names is a name of the page, as mdBook's own are.
@@ -25,6 +25,9 @@ const FOLDER: &str = "theme/lab/";
 /// What all scripts are joined to, and the script that loads it.
 const BUNDLE: &str = "theme/lab/bundle.js";
 const LOADER: &str = "theme/lab/near.js";
+
+/// The script of questions.
+const QUESTION: &str = "theme/question.js";
 
 /// The line after which mdBook's pages have their policy.
 const CHARSET: &str = "<meta charset=\"UTF-8\">";
@@ -74,6 +77,9 @@ fn linked(page: &str, site: &str) -> String {
             return with_picture;
         }
         let script = tag.starts_with("<script src=\"");
+        if script && tag.contains(QUESTION) {
+            return page.contains("class=\"question\"");
+        }
         let of_the_lab = (script || tag.starts_with("<link ")) && tag.contains(FOLDER);
         !of_the_lab || with_lab && (!script || tag.contains(LOADER))
     };

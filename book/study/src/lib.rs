@@ -8,6 +8,7 @@
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`dynamics`]: periodic orbits and Lyapunov exponents, of `book/curves`.
+//! * [`questions`]: what is right in the book's questions.
 //! * [`charts`]: series to SVG, in a crate of their own.
 //! * [`report`]: rows and claims as tables and figures.
 //!
@@ -18,6 +19,7 @@ pub mod claims;
 pub mod digits;
 pub mod experiments;
 pub mod listing;
+pub mod questions;
 pub mod report;
 pub mod theory;
 

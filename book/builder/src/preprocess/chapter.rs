@@ -5,23 +5,24 @@
 //! | `{{measured ID}}` | the value as the library measures it |
 //! | `{{stated ID}}` | the value as the paper prints it |
 //! | `{{verdict ID}}` | what comparing the two came to, with a link to its row of the ledger |
-//! | `{{test file::function}}` | a link to that test's source in the book |
-//! | `{{catches file::function}}` | the same, and what wrong code it catches, as the test itself says |
+//! | `{{test file::function}}` | a link to that test's source in the book, which says what wrong code it catches |
 //! | `{{work-precision}}` | the figure that `pendula bench` made, or a line on how to make it |
 //! | `{{verdicts}}` | how many claims got which verdict; see [`claims`](super::claims) |
 //! | `doi:…` | a link to the work |
 //!
 //! A formula takes no value. The first quote of a claim has its id, so that its row of the ledger
-//! can link back. Code spans and code blocks do not change, with three exceptions: code included
-//! from within an item loses its common indentation, what a listing prints stands below it, and a
-//! word with a hyphen is kept whole.
+//! can link back. A block of code marked `question` becomes a form, as [`questions`] says, and what is
+//! right stands at the end of the chapter, for paper. Other code blocks are shown as [`listing`] says; code spans do not change, but for a word
+//! with a hyphen, which is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
 use anyhow::{Context, Result, bail, ensure};
 
+use super::listing;
 use super::markdown::{Kind, passages, splice};
+use super::questions;
 use super::sources::Tests;
 use super::typeset::{Maths, inert, value};
 use crate::ledger::Ledger;
@@ -48,9 +49,17 @@ impl<'a> Setter<'a> {
     /// The chapter's text with directives and formulas replaced; `to_root` is the relative path
     /// from its page to the root of the book. `quoted` gets the ids of the claims that it quotes.
     pub fn set(&self, text: &str, to_root: &str, quoted: &mut BTreeSet<String>) -> Result<String> {
-        let mut page = Page { setter: self, text, to_root, quoted, edits: Vec::new() };
+        let mut page =
+            Page { setter: self, text, to_root, quoted, edits: Vec::new(), answers: String::new() };
         page.set()?;
-        Ok(splice(text, page.edits))
+        let (edits, answers) = (page.edits, page.answers);
+        let mut set = splice(text, edits);
+        if !answers.is_empty() {
+            set += &format!(
+                "\n\n<div class=\"answers\">\n<p>Answers to the questions</p>\n<ol>\n{answers}</ol>\n</div>\n"
+            );
+        }
+        Ok(set)
     }
 }
 
@@ -63,6 +72,8 @@ struct Page<'a> {
     quoted: &'a mut BTreeSet<String>,
     /// What is replaced, in order.
     edits: Vec<(Range<usize>, String)>,
+    /// The right answers to its questions, as items of a list.
+    answers: String,
 }
 
 impl Page<'_> {
@@ -74,10 +85,14 @@ impl Page<'_> {
             done = range.end;
             let source = &text[range.clone()];
             match kind {
+                Kind::Code if source.starts_with(questions::FENCE) => {
+                    let question = self.question(source)?;
+                    self.answers += &question.answer;
+                    self.edits.push((range, question.form));
+                }
                 Kind::Code => {
-                    let html = flush_left(source).or_else(|| with_output(source));
-                    let html = html.or_else(|| with_whole_options(source));
-                    self.edits.extend(html.map(|html| (range, html)));
+                    let shown = listing::shown(source).or_else(|| with_whole_options(source));
+                    self.edits.extend(shown.map(|shown| (range, shown)));
                 }
                 Kind::Formula { tex, display } => {
                     // In TeX `{{a}}` is a group in a group.
@@ -137,22 +152,24 @@ impl Page<'_> {
         Ok(())
     }
 
+    fn question(&mut self, block: &str) -> Result<questions::Set> {
+        let (setter, to_root) = (self.setter, self.to_root);
+        let set = |text: &str| setter.set(text, to_root, self.quoted);
+        questions::set(block, |id| setter.ledger.truth(id), set)
+    }
+
     fn directive(&mut self, inside: &str) -> Result<String> {
         let (name, argument) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
         let argument = argument.trim();
         Ok(match name {
             "measured" | "stated" | "verdict" => self.value(name, argument)?,
             "test" => self.link(argument)?,
-            "catches" => {
-                let catches = self.setter.tests.catches(argument)?;
-                format!("{} catches {catches}", self.link(argument)?)
-            }
             "work-precision" => self.setter.work_precision.clone(),
             // It waits until every chapter has been searched for quotes.
             "verdicts" => "{{verdicts}}".to_string(),
             _ => bail!(
-                "no such directive; there are measured, stated, verdict, test, catches, \
-                 work-precision and verdicts"
+                "no such directive; there are measured, stated, verdict, test, work-precision \
+                 and verdicts"
             ),
         })
     }
@@ -181,6 +198,8 @@ impl Page<'_> {
 
     fn link(&self, cited: &str) -> Result<String> {
         let (file, test) = self.setter.tests.find(cited)?;
+        // A reader follows the link to learn that.
+        ensure!(test.says_what_it_catches, "the documentation of {cited} has no line `Catches:`");
         let (file, test, to_root) = (&file.name, &test.name, self.to_root);
         // As `cargo test` prints it and accepts it as a filter: without the name of the test
         // program.
@@ -210,36 +229,6 @@ fn with_whole_options(code: &str) -> Option<String> {
     };
     let html = inner.split_whitespace().map(set).collect::<Vec<_>>().join(" ");
     html.contains("<span").then(|| format!("<code>{html}</code>"))
-}
-
-/// A fenced block with the common indentation of its lines removed; `None` where there is nothing
-/// to remove.
-pub fn flush_left(block: &str) -> Option<String> {
-    let mut lines: Vec<&str> = block.lines().collect();
-    let fenced = lines.len() > 2 && lines[0].starts_with("```");
-    let body = if fenced { 1..lines.len() - 1 } else { return None };
-    let indent = |line: &&str| line.len() - line.trim_start().len();
-    let code = lines[body.clone()].iter().filter(|line| !line.trim().is_empty());
-    let common = code.map(indent).min().filter(|&common| common > 0)?;
-    for line in &mut lines[body] {
-        *line = line.get(common..).unwrap_or_default();
-    }
-    let end = if block.ends_with('\n') { "\n" } else { "" };
-    Some(lines.join("\n") + end)
-}
-
-/// What a listing prints: the text of its hidden `assert_eq!(printed(), "…")`, to which the listing
-/// is held when it runs as a test.
-fn output(block: &str) -> Option<String> {
-    let (_, text) = block.split_once("\n# assert_eq!(printed(), \"\\\n")?;
-    let (text, _) = text.split_once("\n# \");\n")?;
-    Some(text.lines().map(|line| line.strip_prefix("# ").unwrap_or("").to_owned() + "\n").collect())
-}
-
-/// The listing with its output below it; `None` where it prints nothing.
-pub fn with_output(block: &str) -> Option<String> {
-    let (output, end) = (output(block)?, if block.ends_with('\n') { "" } else { "\n" });
-    Some(format!("{block}{end}\n<div class=\"output\">\n\n```text\n{output}```\n\n</div>\n"))
 }
 
 #[cfg(test)]
@@ -314,19 +303,17 @@ mod tests {
         assert_eq!(shown(&set(typed).unwrap()).replace('\u{a0}', "~"), expected);
     }
 
-    /// Catches: a bullet that says what its test does not, and a test that does not say what it
-    /// catches.
+    /// Catches: a link to a test that does not say what wrong code it catches.
     #[test]
-    fn what_a_test_catches_is_what_it_says() {
-        let source = "/// Does it.\n///\n/// Catches: one thing,\n/// and another.\n\
-                      #[test]\nfn a() {}\n#[test]\nfn b() {}\n";
+    fn a_cited_test_says_what_it_catches() {
+        let source = "/// Does it.\n///\n/// Catches: one thing.\n#[test]\nfn a() {}\n\
+                      #[test]\nfn b() {}\n";
         let tests = Tests::from_sources([("x", source)]).unwrap();
         let set = |text: &str| {
             Setter::new(&ledger, &tests, String::new()).set(text, "", &mut BTreeSet::new())
         };
-        let bullet = set("* {{catches x::a}}.\n").unwrap();
-        assert!(bullet.ends_with("</a> catches one thing, and another.\n"), "{bullet}");
-        assert!(format!("{:#}", set("{{catches x::b}}").unwrap_err()).contains("Catches:"));
+        assert!(set("{{test x::a}}").unwrap().contains("x.html#a"));
+        assert!(format!("{:#}", set("{{test x::b}}").unwrap_err()).contains("Catches:"));
     }
 
     /// Catches: a comma alone at the beginning of a line; a word kept on one line with the formula
@@ -359,27 +346,5 @@ mod tests {
             let error = format!("{:#}", set(text).unwrap_err());
             assert!(error.contains(quoted), "{text}: {error}");
         }
-    }
-
-    /// Catches: a method taken from its `impl` that keeps its common indentation, and relative
-    /// indentation that is lost; blocks rewritten that are flush left already, or are not fenced.
-    #[test]
-    fn the_common_margin_goes_and_no_more() {
-        let block = "```rust,ignore\n    fn f() {\n        1\n\n    }\n```\n";
-        let expected = "```rust,ignore\nfn f() {\n    1\n\n}\n```\n";
-        assert_eq!(flush_left(block).as_deref(), Some(expected));
-        for flush in ["```rust\nfn f() {}\n```\n", "`code`", "```\n```\n"] {
-            assert_eq!(flush_left(flush), None);
-        }
-    }
-
-    /// Catches: an output that is lost, or keeps the marks of what is hidden.
-    #[test]
-    fn what_is_printed_stands_below() {
-        let block = "```rust\nprint();\n# assert_eq!(printed(), \"\\\n# 1\n#\n#  2\n# \");\n```";
-        let expected =
-            format!("{block}\n\n<div class=\"output\">\n\n```text\n1\n\n 2\n```\n\n</div>\n");
-        assert_eq!(with_output(block), Some(expected));
-        assert_eq!(with_output("```rust\nlet x = 1;\n```"), None);
     }
 }

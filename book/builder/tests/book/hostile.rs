@@ -58,8 +58,8 @@ static CHAPTERS: LazyLock<Vec<String>> =
 const SNIPPETS: &[&str] = &[
     // Directives.
     "{{", "}}", "{{}}", "{{ }}", "\\{{", "{{measured T4.rk4.0.01}}", "{{stated T5.fe.dH}}",
-    "{{verdict nobody}}", "{{measured}}", "{{test x::a}}", "* {{catches x::a}}.",
-    "{{catches x::b}}", "{{verdicts}}", "{{work-precision}}", "{{#include x}}",
+    "{{verdict nobody}}", "{{measured}}", "{{test x::a}}", "* {{test x::a}}.",
+    "{{test x::b}}", "{{verdicts}}", "{{work-precision}}", "{{#include x}}",
     // Formulas.
     "$", "$$", "\\$", "\\(", "$x^2$", "$\\frac{1$", "$\\begin{matrix}$", "$\\unknown$",
     "${{measured T4.rk4.0.01}}$",

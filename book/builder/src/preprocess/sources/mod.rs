@@ -68,13 +68,6 @@ impl Tests {
         Ok(Self { files })
     }
 
-    /// What the test cited as `file::function` catches, as its documentation says.
-    pub fn catches(&self, cited: &str) -> Result<&str> {
-        let (_, Test { name, catches, .. }) = self.find(cited)?;
-        ensure!(!catches.is_empty(), "the documentation of {name} has no line `Catches:`");
-        Ok(catches)
-    }
-
     /// File and function of a test cited as `file::function`, as `cargo test` prints it; the name
     /// of its program may precede it, as `program::file::function` or `program/file::function`.
     pub fn find(&self, cited: &str) -> Result<(&TestFile, &Test)> {
@@ -151,9 +144,8 @@ pub struct Test {
     /// Its lines, counted from 0, with its attributes, its documentation and the comments right
     /// above.
     pub lines: Range<usize>,
-    /// What wrong code it catches, as its documentation says after `Catches:`; empty if it does
-    /// not.
-    pub catches: String,
+    /// Whether its documentation has a line `Catches:`, on what wrong code it catches.
+    pub says_what_it_catches: bool,
 }
 
 /// The tests of a source file, from top to bottom: functions with the attribute `test` or `rstest`,
@@ -194,26 +186,13 @@ fn scan(source: &str) -> Result<Vec<Test>> {
             tests.push(Test {
                 name: name.to_string(),
                 lines: start..last + 1 + usize::from(each),
-                catches: catches(&lines[start..at]),
+                says_what_it_catches: lines[start..at].iter().any(|line| {
+                    line.trim().strip_prefix("///").is_some_and(|text| text.contains("Catches:"))
+                }),
             });
         }
     }
     Ok(tests)
-}
-
-/// What follows `Catches:` in its paragraph of the documentation, without the full stop, which the
-/// chapter sets.
-fn catches(above: &[&str]) -> String {
-    let documentation = above.iter().filter_map(|line| line.trim().strip_prefix("///"));
-    let mut paragraph = documentation.map(str::trim);
-    let first = paragraph.by_ref().find_map(|line| Some(line.split_once("Catches:")?.1));
-    let rest = paragraph.take_while(|line| !line.is_empty());
-    let words: Vec<&str> = first.into_iter().chain(rest).flat_map(str::split_whitespace).collect();
-    let sentence = words.join(" ");
-    match sentence.strip_suffix(".)") {
-        Some(inside) => format!("{inside})"),
-        None => sentence.trim_end_matches('.').to_string(),
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,73 @@
+"""The listings, copied by their buttons: each is a program that compiles as it is, and prints what
+stands below it."""
+
+import json
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+# The buttons of the listings that run, and what stands below each.
+LISTINGS = """all('pre:has(> code.language-rust:not(.ignore))').map(listing => {
+    const below = listing.nextElementSibling;
+    return below?.matches('.output') ? below.textContent.trim() : null;
+})"""
+PRESS = """n => all('pre:has(> code.language-rust:not(.ignore))')[n]
+    .querySelector('.clip-button').click()"""
+
+
+def copied(tab, book) -> list[tuple[str, str, str | None]]:
+    """Where each listing stands, what its button copies, and what it says that it prints."""
+    tab.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    found = []
+    for page in book.chapters:
+        if 'class="language-rust"' not in book.text(page):
+            continue
+        tab.open(page)
+        for n, output in enumerate(tab.run(LISTINGS)):
+            tab.run(PRESS, n)
+            found.append((f"{page} {n}", tab.run("navigator.clipboard.readText()"), output))
+        # The lines that are hidden are hidden again.
+        assert tab.run("all('code:has(.boring):not(.hide-boring)').length") == 0, page
+    return found
+
+
+def crates() -> list[str]:
+    """The options that give `rustc` the crates of which the program is made."""
+    build = ["cargo", "build", "--release", "--quiet", "--bin", "pendula", "--message-format", "json"]
+    told = subprocess.run(build, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    options = []
+    for message in map(json.loads, told.splitlines()):
+        name = message.get("target", {}).get("name", "")
+        libraries = [file for file in message.get("filenames", []) if file.endswith(".rlib")]
+        if name.startswith("pendula") and libraries:
+            folder = Path(libraries[0]).parent
+            options += ["--extern", f"{name}={libraries[0]}", "-L", f"dependency={folder}"]
+            options += ["-L", f"dependency={folder / 'deps'}"]
+    return options
+
+
+def test_copied(tab, book, tmp_path):
+    """Catches a listing that needs a line that is not copied with it."""
+    found = copied(tab, book)
+    assert len(found) >= 30
+    options = crates()
+
+    def run(n: int) -> str | None:
+        (place, program, output), binary = found[n], tmp_path / f"listing-{n}"
+        source = binary.with_suffix(".rs")
+        source.write_text(program)
+        compile = ["rustc", "--edition", "2024", "-O", "-o", binary, source, *options]
+        told = subprocess.run(compile, capture_output=True, text=True)
+        if told.returncode != 0:
+            return f"{place}: {told.stderr}\n{program}"
+        told = subprocess.run([binary], capture_output=True, text=True, timeout=120)
+        if told.returncode != 0:
+            return f"{place}: {told.stderr}"
+        if output is not None and told.stdout.strip() != output:
+            return f"{place} prints\n{told.stdout}, and the page says\n{output}"
+        return None
+
+    with ThreadPoolExecutor(2) as pool:
+        wrong = [said for said in pool.map(run, range(len(found))) if said]
+    assert not wrong, "\n".join(wrong)

@@ -1,0 +1,62 @@
+//! What is right in the questions of the book, computed.
+//!
+//! A chapter asks, and has for each answer that readers believe a sentence that says why it is right
+//! or wrong. Which of them is right is computed here, and so are the numbers to which usual mistakes
+//! lead. A question is known by its id, which begins with its chapter's name.
+
+use std::collections::BTreeMap;
+
+/// What is right.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Truth {
+    /// Of each choice whether it is right: of one alone.
+    Which(Vec<(&'static str, bool)>),
+    /// The right number, in the question's unit, and those to which usual mistakes lead.
+    Number {
+        /// What a reader should answer.
+        right: f64,
+        /// What each mistake gives in its place.
+        mistakes: Vec<(&'static str, f64)>,
+    },
+    /// All items in the order that is asked for.
+    Order(Vec<&'static str>),
+}
+
+impl Truth {
+    /// The items from the smallest value to the largest.
+    ///
+    /// # Panics
+    ///
+    /// If two values are so close, within a fifth, that no reader could tell them apart.
+    pub fn ascending(mut items: Vec<(&'static str, f64)>) -> Self {
+        items.sort_by(|one, other| one.1.total_cmp(&other.1));
+        for pair in items.windows(2) {
+            assert!(pair[1].1 > 1.2 * pair[0].1, "{pair:?} are too close to be put in order");
+        }
+        Self::Order(items.into_iter().map(|(name, _)| name).collect())
+    }
+
+    /// The choice to whose number the measured one comes nearest, by ratio; each must be positive.
+    /// Right is the one within a tenth of it, so that none is if the measurement has moved away
+    /// from all.
+    pub fn nearest(measured: f64, choices: &[(&'static str, f64)]) -> Self {
+        let is_it = |expected: f64| (measured / expected).ln().abs() < 0.1;
+        Self::Which(choices.iter().map(|&(name, expected)| (name, is_it(expected))).collect())
+    }
+}
+
+/// Where a question's truth comes from.
+type Compute = fn() -> Truth;
+
+/// The questions of each chapter.
+const CHAPTERS: &[&[(&str, Compute)]] = &[];
+
+/// What is right in each question, by its id: computed when it is asked for.
+pub fn all() -> BTreeMap<&'static str, Compute> {
+    CHAPTERS.iter().copied().flatten().copied().collect()
+}
+
+/// What is right in the question with this id; nothing if there is none.
+pub fn truth(id: &str) -> Option<Truth> {
+    Some(all().get(id)?())
+}
