@@ -12,7 +12,7 @@ from lab import Lab
 
 # The columns, as the page has them; of a row, the cells.
 HEADS = ["Method", "Energy error (J)", "Largest energy error (J)", "Angle error (rad)",
-         "Largest angle error (rad)", "Force evaluations", "Time a step (ns)"]
+         "Largest angle error (rad)", "Force evaluations", "Time per step (ns)"]
 # Exponents as the page writes them.
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
 # The steps of a run: the 512 bins of its curves are merged in pairs four times.

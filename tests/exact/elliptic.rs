@@ -58,8 +58,8 @@ fn k_is_the_published_one(#[case] m: f64, #[case] expected: f64) {
     assert_relative_eq!(k, expected, max_relative = TABLE_TOLERANCE);
 }
 
-/// Catches: an algorithm wrong in itself, which a table of a few values may miss: quadrature does
-/// not use the arithmetic–geometric mean.
+/// Catches: an algorithm that is itself wrong, which a table of a few values may miss: quadrature
+/// does not use the arithmetic–geometric mean.
 ///
 /// The two rules' own error estimates are not used: the double exponential one, asked for 1e-15,
 /// misses it by a factor of 30 and does not report it.

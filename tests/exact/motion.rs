@@ -107,7 +107,8 @@ fn two_radians_a_second() -> Pendulum {
     Pendulum::new(2.0, 0.5, 3.0).expect("a legal pendulum")
 }
 
-/// Catches: a form with 1 − k², which at π − 1e-8 is infinite; K of k for K of k²; T₀ for T.
+/// Catches: a form with 1 − k², which at π − 1e-8 is infinite; K of k in place of K of k²; T₀ in
+/// place of T.
 ///
 /// The reference takes θ₀ and g as the f64s that are given, so that even beside the top nothing is
 /// lost: π − 1e-8 as an f64 is another angle, with a period 9e-9 s longer, which is not an error of
@@ -212,8 +213,8 @@ fn the_numbers_of_a_motion_are_right_relatively() {
     }
 }
 
-/// Catches: a wrong reflection or a wrong quarter, a period in f64 (off by 1e-12 at 10⁵ s), a
-/// modulus near 1 from 1 − k², turns lost, an amplitude that underflows, and an overflow.
+/// Catches: a wrong reflection or a wrong quarter; a period rounded to f64 (off by 1e-12 at 10⁵ s);
+/// a modulus near 1 computed from 1 − k²; lost turns; an amplitude that underflows; an overflow.
 #[test]
 fn motions_are_the_references() {
     for row in Row::all(MOTIONS) {

@@ -47,9 +47,9 @@ fn halving_the_step_shows_the_order(
 /// first. That file derives it, and the wider windows of methods beyond order 4 whose next term is
 /// only one power of h smaller, and beyond order 8, where steps are long.
 ///
-/// Catches: any coefficient so far off that it lowers the order, an entry whose order is too high
-/// or too low, and time that drifts from the count of steps. (Not forward Euler posing as
-/// symplectic Euler: both are of order 1.)
+/// Catches: any coefficient so far off that it lowers the order; an entry whose order is too high
+/// or too low; time that drifts from the count of steps. (Not forward Euler posing as symplectic
+/// Euler: both have order 1.)
 fn every_slope_is_the_order(method: &dyn AnyMethod) {
     ORDER.assert(method);
 }

@@ -25,9 +25,9 @@ use crate::common::method;
 /// with a coefficient of 11, 8e-5. `properties/error_constant.rs` has the local errors,
 /// and the tolerances where they are measured or the constant comes from a file of 50 digits.
 ///
-/// Catches: a method of the right order with a wrong coefficient in its leading error, such as
-/// position Verlet for velocity Verlet or drift–kick for kick–drift; a step that is not the one
-/// declared; an end one step early or late.
+/// Catches: a method of the right order whose leading error has a wrong coefficient, such as
+/// position Verlet for velocity Verlet or drift–kick for kick–drift; a step that is not the
+/// declared one; an end that is one step early or late.
 fn the_error_is_the_constant_of_theory(method: &dyn AnyMethod) {
     ERROR_CONSTANT.assert(method);
 }
@@ -72,8 +72,8 @@ fn a_single_step_misses_by_its_taylor_series(
 /// measurement, which grows with h², in steps of 0.1, 0.2 or 0.4 s.
 /// `book/judge/src/properties/area.rs` derives the error of the differences.
 ///
-/// Catches: forward Euler posing as symplectic Euler, and every other step that is claimed to
-/// preserve area and does not.
+/// Catches: forward Euler posing as symplectic Euler, and every other step that is said to preserve
+/// area and does not.
 fn symplectic_methods_preserve_area(method: &dyn AnyMethod) {
     AREA.assert(method);
 }
@@ -118,8 +118,8 @@ fn rk4_shrinks_area_at_the_bottom_as_its_polynomial_says() {
 /// Of the others each misses by more than 1e-9, in steps of 0.01 s or, the higher the order, longer
 /// ones. `book/judge/src/properties/reversal.rs` derives these numbers.
 ///
-/// Catches: symplectic Euler posing as Störmer–Verlet, half a kick lost or doubled on one side,
-/// damping of 1e-12 a step; and an entry that wrongly claims or denies symmetry.
+/// Catches: symplectic Euler posing as Störmer–Verlet; half a kick lost or doubled on one side;
+/// damping of 1e-12 per step; an entry that wrongly claims or denies symmetry.
 fn symmetric_methods_return_and_no_others_do(method: &dyn AnyMethod) {
     REVERSAL.assert(method);
 }
@@ -136,7 +136,7 @@ fn the_mirror_image_has_the_same_bits(method: &dyn AnyMethod) {
 }
 each_method!(the_mirror_image_has_the_same_bits);
 
-/// Catches: g·L for g/L, a forgotten L, a mass in the motion.
+/// Catches: g·L in place of g/L; a forgotten L; a mass in the motion.
 fn only_gravity_over_length_counts(method: &dyn AnyMethod) {
     check_mass_and_length(method).unwrap();
 }
@@ -218,7 +218,7 @@ fn the_matrices_on_file_have_their_invariants(
 /// step: `book/judge/src/properties/work.rs` derives how many bring it to rounding.
 ///
 /// Catches: a Störmer–Verlet that evaluates the force twice a step, as the paper says it must; any
-/// method whose entry promises fewer evaluations than its step makes.
+/// method that makes more evaluations than its entry promises.
 fn evaluations_are_those_of_the_entry(method: &dyn AnyMethod) {
     WORK.assert(method);
 }

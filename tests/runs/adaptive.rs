@@ -88,8 +88,8 @@ impl<F: Fn(f64, f64) -> f64> System for Law<F> {
 /// of 16 runs by an eighth of a decade; and the slope over 8 decades by 0.02, twice that at worst.
 const PROPORTIONALITY: f64 = 0.05;
 
-/// Catches: an error without a scale, or with the wrong one; an error with an h missing or too
-/// many; an estimate of the wrong order; a step taken although it was refused.
+/// Catches: an error without its scale, or with the wrong one; an error with one factor h too few
+/// or too many; an estimate of the wrong order; a step that is taken although it was rejected.
 fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         let mean_of_logarithms = |tol: f64| {
@@ -117,8 +117,8 @@ each_controlled!(the_error_falls_with_the_tolerance);
 /// step is off by as much as the tolerance allows. But it is not so much better that the steps are
 /// too small: a step of half the size would have an error 2⁹ times smaller.
 ///
-/// Catches: an estimate that is too small, by a factor or for one of the components; one that is
-/// far too large.
+/// Catches: an estimate of the error that is too small, by a factor or in one component, or far too
+/// large.
 fn no_step_is_off_by_more_than_the_tolerance<M: Controlled<Pendulum>>(method: M) {
     for pendulum in pendulums() {
         for tol in [1e-7, 1e-9, 1e-11] {

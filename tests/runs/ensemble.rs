@@ -24,8 +24,8 @@ fn family() -> (Vec<Pendulum>, Vec<Phase>) {
     (numbers().map(pendulum).collect(), numbers().map(start).collect())
 }
 
-/// Catches: a lane that reads another's state or parameters, a branch whose two sides differ in a
-/// bit, a carry not kept, a fused multiply-add where the processor has one.
+/// Catches: a lane that reads another's state or parameters; a branch whose two sides differ in a
+/// bit; a carry that is not kept; a fused multiply-add where the processor has one.
 fn lanes_have_the_bits_of_a_trajectory_alone(method: &dyn AnyMethod) {
     let (pendulums, starts) = family();
     for steps in [0, 1, 2, 1000] {
@@ -156,8 +156,8 @@ impl Observer<DoublePhase> for FirstFlip {
 /// step, but for one in a hundred beside the threads; of those after 15 s hardly more than half do.
 /// Of a million it is one in a thousand, and 58 in a hundred.
 ///
-/// Catches: steps too long for the smooth parts of the picture; a step that is not halved, with
-/// which all would agree; a motion that is not chaotic.
+/// Catches: steps too long for the smooth parts of the picture; a step that is not halved, so that
+/// all runs would agree; a motion that is not chaotic.
 #[test]
 fn only_the_early_flips_are_the_motions_own() {
     const SIZE: i32 = 150;

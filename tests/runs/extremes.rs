@@ -458,8 +458,7 @@ proptest! {
     /// whole run: by twice the largest of their leading terms, x|q s|/2, or x²(q²/12 + s²/24), both
     /// at the start and at the extreme. The next terms are of relative order x (|q| + 1) ≤ 0.2 · 3.
     ///
-    /// Catches: a drift in the energy of a symplectic method at any amplitude, in units of any
-    /// pendulum.
+    /// Catches: an energy drift of a symplectic method, at any amplitude of any pendulum.
     #[test]
     fn symplectic_energy_is_bounded(scene in scenes(PI, 2.0, 0.2, 3000)) {
         // The largest q on the orbit: q² = q₀² + 2(1 − c₀) at the bottom.

@@ -75,8 +75,8 @@ fn the_exact_fall_takes_a_logarithm(
 /// ln(8/δ) to fall, 7.06 to 7.29 s, and √(L/g) ln(4/k') to rise, where k'² is at most 3e-14 (5.3 s)
 /// and at least 1e-22 (8.6 s): less than that is a chance of 3e-7 for each.
 ///
-/// Catches: a bias of the rounding in one direction; a Verlet with any drift of energy above 1e-15,
-/// which would send all of them over, or none.
+/// Catches: a bias of the rounding in one direction; a Störmer–Verlet with an energy drift above
+/// 1e-15, which would send all of them over, or none.
 #[rstest]
 #[case::symplectic_euler(&SymplecticEuler)]
 #[case::stormer_verlet(&StormerVerlet)]

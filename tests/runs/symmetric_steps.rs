@@ -183,8 +183,8 @@ fn assert_only_the_naive_drifts(symmetric: Drift, fixed: Drift, naive: Drift, ga
     assert!(naive.steps > symmetric.steps * 9 / 10, "{all}");
 }
 
-/// Catches: a step chosen from the past alone posing as a symmetric one; symmetric steps that are
-/// no better than the others.
+/// Catches: a step chosen from the past alone that poses as a symmetric one; symmetric steps that
+/// are no better than the others.
 #[test]
 fn on_an_ellipse_only_the_naive_steps_drift() {
     let change = |f0: Planar, f1: Planar| (f1.x - f0.x).hypot(f1.y - f0.y);

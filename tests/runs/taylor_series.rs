@@ -71,8 +71,8 @@ fn a_step_is_as_long_as_the_known_radius_allows() {
 /// at most 4 % longer, and 2 % as above. At a turning point the passage before is as near as the
 /// one after, and both together make the root 2.4 % shorter. The power of θ is smaller by q/ρ.
 ///
-/// Catches: a step that follows the step before, not the motion; a radius by one power, which from
-/// rest is zero each second time; a wrong tolerance for one of the components.
+/// Catches: a step that follows the previous step and not the motion; a radius from one power,
+/// which from rest is zero every second time; a wrong tolerance for one of the components.
 #[test]
 fn a_step_follows_the_distance_to_the_pole() {
     let pendulum = pendulum();

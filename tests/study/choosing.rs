@@ -78,8 +78,8 @@ fn chord(order: u32) -> f64 {
 /// smaller than necessary.
 ///
 /// Catches: a law of growth without its quadratic term, or with one where theory has none; a ladder
-/// too coarse; the error at the end of a run taken for the largest; the error at one phase taken
-/// for that at all phases.
+/// of steps that is too coarse; the error at the end of a run taken for the largest error; the
+/// error at one phase taken for that at all phases.
 #[test]
 fn the_advice_is_met_in_real_runs() {
     for Cell { periods, allowed, ranking } in some_cells() {
@@ -116,7 +116,7 @@ fn the_advice_is_met_in_real_runs() {
 /// error: at every cell where the run can be afforded, and where its error is so large by its curve
 /// that the tolerance and the chord cannot make up for it.
 ///
-/// Catches: a winner that wins because the errors of the others are overestimated.
+/// Catches: a method that wins only because the errors of the others are overestimated.
 #[test]
 fn the_second_best_needs_more() {
     let mut compared = 0;

@@ -18,8 +18,8 @@ use crate::{LEDGER, STUDY};
 /// times, which depend on the platform, are not measured. RK4's energy error at Δt = 0.001 s is
 /// held to 3.2e-12 J ± 10 %, as the paper's second digit is rounding.
 ///
-/// Catches: a wrong coefficient, constant, metric or step count anywhere behind the tables; a mean
-/// over N samples.
+/// Catches: a wrong coefficient, constant, metric or number of steps anywhere behind the tables; a
+/// mean over N samples.
 #[rstest]
 fn each_printed_cell_is_as_its_verdict_says(#[values(2, 4, 5, 6, 7, 8)] table: u32) {
     let prefix = format!("T{table}.");

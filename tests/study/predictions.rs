@@ -18,7 +18,7 @@ use crate::{LEDGER, measured};
 /// Each measured cell lies within the tolerance of its law, on either side. The tolerances are
 /// derived in `book/study/src/claims/predictions.rs`, from what each law leaves out.
 ///
-/// Catches: a method, metric, constant or step count that is wrong but still prints the paper's
+/// Catches: a method, metric, constant or number of steps that is wrong but still gives the paper's
 /// digits, and one that is as wrong as the paper's: the predictions use no measured number.
 #[rstest]
 fn every_cell_is_as_predicted(#[values("T4.", "T5.", "T6.", "T8.", "P6.")] table: &str) {
@@ -109,7 +109,7 @@ fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) 
 /// At x = θ₀√(3/2) Störmer–Verlet's error and the formula's cancel to the next order, which is
 /// smaller by θ₀² and x², each below 0.004: at most a hundredth of the floor is left.
 ///
-/// Catches: a frequency error of Verlet other than x²/24.
+/// Catches: a frequency error of Störmer–Verlet other than x²/24.
 #[test]
 fn two_errors_cancel_at_the_step_foreseen() {
     let (pendulum, theta_0) = (Pendulum::PAPER, small_angle::THETA_0);

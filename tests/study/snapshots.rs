@@ -186,8 +186,8 @@ fn patches() -> Vec<(String, String)> {
 /// The table is made by turning each knob and computing the study again, which takes minutes: here
 /// its rows and columns are compared with the snapshots and the knobs that there are.
 ///
-/// Catches: a snapshot that no knob moves, so that no change would be seen in it; a snapshot or a
-/// knob that is not in the table, or no longer exists.
+/// Catches: a snapshot that no knob moves, so that no change would show in it; a snapshot or a knob
+/// that is not in the table, or no longer exists.
 #[test]
 fn no_snapshot_is_moved_by_nothing() {
     let table = table_of("4_what_moves_when");

@@ -155,8 +155,8 @@ fn area_after<M: Method<Damped>>(method: &M, damped: &Damped, grid: &Grid, corne
 /// With any step, Störmer–Verlet shrinks area by exp(−2βt): the two half kicks by exp(−βh) each,
 /// and the drift is a shear.
 ///
-/// Catches: friction split off as a separate step of Euler's, or counted once too often in a step;
-/// a polygon's area with a sign or a factor of one half lost.
+/// Catches: friction split off as a separate Euler step, or counted once too often in a step; a
+/// polygon's area with its sign or its factor of one half lost.
 #[rstest]
 #[case::fine(0.01, 300)]
 #[case::coarse(0.3, 10)]

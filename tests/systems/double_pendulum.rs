@@ -227,7 +227,7 @@ fn mode_shapes_are_orthogonal() {
 /// tenfold. The release is low, so that the motion is a superposition of two swings, which within
 /// 100 s has come close enough to all its states to fix the largest error to a hundredth.
 ///
-/// Catches: an implicit method whose iteration stops too soon, or that takes a momentum for a
+/// Catches: an implicit method whose iteration stops too soon, or one that takes a momentum for a
 /// velocity.
 #[test]
 fn only_a_symplectic_method_keeps_the_energy() {

@@ -63,8 +63,8 @@ fn rate_is_force_and_velocity(#[values(0.0, 0.3, 17.0)] t: f64) {
 /// Taylor's pendulum doubles its period at the known values: γ₁ = 1.066372862 and γ₂ = 1.079313906,
 /// to their last digit.
 ///
-/// Catches: any change of the equation of motion in the fifth digit; the wrong orbit; a multiplier
-/// of another matrix.
+/// Catches: a change in the fifth digit of the equation of motion; the wrong orbit; a multiplier of
+/// another matrix.
 #[test]
 fn periods_double_where_they_should() {
     let [first, second] = doublings();
@@ -191,8 +191,8 @@ fn the_exponent_of_a_cycle_is_that_of_its_multiplier(#[case] strength: f64, #[ca
 /// At γ = 1.105 the exponent is positive. Two neighbours at a finite distance, without the
 /// variational equation, separate at the same rate; and 32 runs scatter as the error bars say.
 ///
-/// Catches: an exponent of the wrong sign or unit, an error bar too small by the root of the number
-/// of blocks.
+/// Catches: an exponent of the wrong sign or unit; an error bar that is too small by the root of
+/// the number of blocks.
 #[test]
 fn chaos_has_a_positive_exponent_with_an_honest_error_bar() {
     const RUNS: u32 = 32;

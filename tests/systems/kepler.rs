@@ -138,7 +138,7 @@ fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
 /// IV.2.1): each symplectic method keeps the angular momentum to rounding, at a step so coarse that
 /// Störmer–Verlet's energy is off by several per cent. The others change it at every step.
 ///
-/// Catches: a force that is not central, a kick that changes the position, a drift that changes the
+/// Catches: a force that is not central; a kick that changes the position; a drift that changes the
 /// velocity; a method wrongly declared symplectic.
 fn symplectic_methods_and_no_others_keep_the_angular_momentum<M>(method: &M)
 where

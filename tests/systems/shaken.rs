@@ -38,8 +38,8 @@ const AMPLITUDE: f64 = 1e-9;
 
 /// Both boundaries, found from the monodromy matrix, are Mathieu's, for slow and fast shaking.
 ///
-/// Catches: aΩ for aΩ², a/L for 2a/L, g·L for g/L, Ωt for Ωt/2, a multiplier of the hanging
-/// pendulum.
+/// Catches: aΩ in place of aΩ²; a/L in place of 2a/L; g·L in place of g/L; Ωt in place of Ωt/2; a
+/// multiplier of the hanging pendulum.
 #[rstest]
 fn the_upright_is_stable_between_mathieus_curves(#[values(20.0, 60.0, 400.0)] frequency: f64) {
     for (boundary, curve) in [(Boundary::Falling, a0 as fn(f64) -> f64), (Boundary::Rocking, b1)] {

@@ -120,8 +120,8 @@ where
 /// Sixteen walks determine it to a quarter; u depends on where in its binade a number is, and the
 /// sine's rounding is not exactly uniform: a factor of two in all.
 ///
-/// Catches: a compensation that does nothing, for half of the sums or for the angle alone; one that
-/// is undone by the next kick.
+/// Catches: a compensation that does nothing, or that leaves out half of the sums or one
+/// coordinate; one that the next kick undoes.
 #[test]
 fn the_modified_energy_wanders_less_by_the_step() {
     let pendulum = Pendulum::PAPER;

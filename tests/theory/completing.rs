@@ -67,7 +67,7 @@ fn of_cieslinski_ratkiewicz(theta: f64, end: f64, x2: f64) -> f64 {
 /// beside `AREA_TOLERANCE`, and 25 times that at x = 1.
 ///
 /// Catches: the midpoint rule, which preserves area, under either name; an iteration that stops
-/// early; the law of the one for the other.
+/// early; the law of one method used for the other.
 #[rstest]
 #[case::trapezoidal(Trapezoidal, of_the_trapezoidal_rule)]
 #[case::discrete_gradient(DiscreteGradient, of_the_discrete_gradient)]
@@ -93,8 +93,8 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
 // Energy
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a mean of the force that is not the mean, a ratio of sine and angle with too few
-/// digits; a check that other methods of order 2 would pass.
+/// Catches: a wrong mean of the force; a ratio of sine to angle with too few digits; a check that
+/// other methods of order 2 would pass.
 #[test]
 fn the_discrete_gradient_conserves_the_energy_in_any_step() {
     use pendula_judge::zoo::completing::{Midpoint, TwiceTheWay};
@@ -141,8 +141,8 @@ fn the_energy_error_is_a_perfect_square<M: Method<Pendulum>>(
 /// comes from velocities that are not those of the angles, which for the two methods that are exact
 /// in small swings differ as little as the period does: there a hundredth of the law is allowed.
 ///
-/// Catches: a phase error of second order that order tests accept; the law of one of the methods
-/// for another's, each of which is 1/12 for small swings or 0.
+/// Catches: a phase error of second order, which order tests accept; the law of one method used for
+/// another, where each law is 1/12 or 0 for small swings.
 #[rstest]
 #[case::trapezoidal(Trapezoidal, period::of_trapezoidal)]
 #[case::implicit_midpoint(ImplicitMidpoint, period::of_implicit_midpoint)]
@@ -191,8 +191,8 @@ where
 /// angle on the linear oscillator is exact but for rounding: ω₀, h and the tangent round the phase
 /// by an ε each, and each step the state by ten, as the iteration leaves it, at random.
 ///
-/// Catches: a step of another length, by a billionth; an iteration that ends early and lets the
-/// energy drift.
+/// Catches: a step that is off by a billionth; an iteration that ends early and lets the energy
+/// drift.
 #[rstest]
 fn small_swings_have_the_exact_period(#[values(0.01, 0.7, 1.2)] x: f64) {
     assert_exact_in_small_swings(&CieslinskiRatkiewicz, x, 200.0);
@@ -247,7 +247,7 @@ fn lag<M: Method<Pendulum>>(method: &M) -> f64 {
 /// With as many sines as position Verlet takes. The two laws give 0.0225/0.000489, and x⁴ changes
 /// the ratio by some x² = 0.01 of it.
 ///
-/// Catches: rotation, kick, rotation, whose lag is 7 times less.
+/// Catches: the splitting rotation, kick, rotation, whose lag is only 7 times less.
 #[test]
 fn its_phase_lag_at_1_rad_is_46_times_less_than_position_verlets() {
     let ratio = lag(&PositionVerlet) / lag(&Deuflhard);
@@ -285,8 +285,8 @@ fn its_steps_may_be_longer_than_verlets(#[values(2.1, 2.5, 2.9)] x: f64) {
 /// tops the truncated energy varies by some x⁴. Of 800 passages the root mean square is uncertain
 /// by 1/√(2 · 800), the mean by it over √800.
 ///
-/// Catches: angles from one bottom, which do not jump and turn back in the end; a jump with a bias,
-/// which would let the energy of a rotation drift.
+/// Catches: angles always counted from the same bottom, which do not jump and in the end turn back;
+/// a jump with a bias, which would let the energy of a rotation drift.
 #[rstest]
 fn over_the_top_its_energy_steps_at_random(#[values(0.02, 0.05)] x: f64) {
     let (pendulum, frequency) = (pendulum(), pendulum().small_angle_frequency());

@@ -16,8 +16,8 @@ use pendula_judge::zoo::euler::DriftKick;
 /// Ten times what rounding may do.
 const VISIBLE: f64 = 7e-11;
 
-/// Catches: any error in one of the two that is not in the other; the position form, drift before
-/// kick, a stale force, a wrong weight of a kick.
+/// Catches: any error in one of the two methods that is not in the other: the position form, drift
+/// before kick, a stale force, a wrong weight of a kick.
 #[test]
 fn verlet_is_symplectic_euler_between_half_kicks() {
     check_pair(&StormerVerlet, &SymplecticEuler).unwrap();

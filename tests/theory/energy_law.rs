@@ -109,7 +109,7 @@ fn long_grid() -> Grid {
     Grid::new(step(0.02), 80_000).unwrap()
 }
 
-/// Catches: m, g or L in the wrong place in the law or the method, a law valid at π/3 only.
+/// Catches: m, g or L in the wrong place in the law or the method; a law that is valid only at π/3.
 #[rstest]
 fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {
     let measured = largest_energy_error(&SymplecticEuler, theta_0, &long_grid());
@@ -119,7 +119,7 @@ fn symplectic_euler_strays_along_its_level_curve(#[values(0.3, 1.0, 2.0, 2.8, -1
 
 /// Of either form, each by its own closed form.
 ///
-/// Catches: m, g or L in the wrong place in the law or the method, a half kick taken whole, the
+/// Catches: m, g or L in the wrong place in the law or the method; a half kick taken whole; the
 /// position form in place of the velocity form.
 #[rstest]
 fn stormer_verlet_strays_as_its_closed_form_says(#[values(0.3, 1.0, 2.0, 2.8, -1.0)] theta_0: f64) {
@@ -164,7 +164,7 @@ fn the_energy_change_of_a_step_is_its_series(#[case] theta: f64, #[case] omega: 
 /// much, as the swings are not quite complete. Over 10 periods the relative energy loss is at least
 /// 5e-7, of which rounding is 1e-8.
 ///
-/// Catches: an RK4 that loses energy at another rate, a law valid at π/3 only, and wrong
+/// Catches: an RK4 that loses energy at another rate; a law that is valid only at π/3; wrong
 /// dimensions.
 #[rstest]
 fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f64) {
@@ -227,7 +227,7 @@ fn forward_euler_grows_a_small_swing_exponentially() {
 /// relative order x, and halves with the step: after extrapolation it is of order x² ≈ 1e-4, times
 /// the growth of the logarithm of the amplitude near the top.
 ///
-/// Catches: a rate valid for small angles only.
+/// Catches: a rate that is valid only for small angles.
 #[rstest]
 fn forward_euler_grows_any_swing_by_the_mean_of_sin_squared(#[values(0.5, 1.5, 2.5)] theta_0: f64) {
     let (pendulum, start) = (pendulum(), Phase::at_rest(theta_0));
@@ -245,8 +245,8 @@ fn forward_euler_grows_any_swing_by_the_mean_of_sin_squared(#[values(0.5, 1.5, 2
 /// leaves out (ω₀/Ω)² = 1/1600, and the growth of the angle a per step in the meantime, by 1e-3, to
 /// which the cotangent at a = 2.7 is five times as sensitive.
 ///
-/// Catches: the small-step law, ω₀⁴h/2, used for all steps: it is 1.5 times too large at a = 1.9
-/// and 3.3 at 2.7.
+/// Catches: the small-step law, ω₀⁴h/2, used for all steps. It is 1.5 times too large at a = 1.9
+/// and 3.3 times at 2.7.
 #[rstest]
 #[case::turn_0_3(95)]
 #[case::turn_1_1(350)]
@@ -271,7 +271,7 @@ fn forward_euler_rotating_gains_less_the_larger_the_turn_of_a_step(#[case] turns
 /// and the energy by x²/π of itself; the potential adds 4x²/π². With x = 0.2 that is 2.9 %, all of
 /// it above the law.
 ///
-/// Catches: energy that grows without bound; a lock at a whole turn a step.
+/// Catches: energy that grows without bound; growth that stops only at a whole turn per step.
 #[test]
 fn forward_euler_locks_at_half_a_turn_a_step() {
     let (pendulum, h, steps) = (pendulum(), step(0.2), 100_000);

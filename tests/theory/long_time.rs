@@ -95,8 +95,8 @@ fn the_modified_energy_walks_at_random(#[values(0.01, 0.001)] h: f64) {
 /// grows as the number of steps, 64-fold from 4000 to 256 000, and its mean is zero within its
 /// scatter.
 ///
-/// Catches: an error that grows as t: a biased rounding, a lost digit; one that does not grow
-/// because nothing is integrated.
+/// Catches: an error that grows as t, from a biased rounding or a lost digit; one that does not
+/// grow because nothing is integrated.
 #[rstest]
 fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64) {
     const STARTS: u32 = 96;
@@ -167,8 +167,8 @@ fn lost(pendulum: &Pendulum, steps: u64) -> f64 {
 /// Verlet's does not. Extrapolated from the loss between 1000 and 4000 s it overtakes at 2.4e5 s,
 /// as theory predicts: Verlet's amplitude over the secular rate.
 ///
-/// Catches: an RK4 whose loss is not secular, or of another power of h; a Verlet whose energy error
-/// is secular.
+/// Catches: an RK4 whose loss is not secular, or follows another power of h; a Verlet whose energy
+/// error is secular.
 #[test]
 fn rk4_will_overtake_verlet_after_240_000_seconds() {
     let pendulum = Pendulum::PAPER;

@@ -135,7 +135,8 @@ fn the_smallest_errors_end_where_the_series_is_too_short() {
 /// As the step goes to zero, what the slopes say of Θ goes to Lazutkin's constant: three of them
 /// with a parabola in x² through them, which leaves out x⁶ with a coefficient of about 1.
 ///
-/// Catches: e^{−π²/x} with x for λ; a factor of 2, x or π; a curve that is not the separatrix.
+/// Catches: e^{−π²/x} in place of e^{−π²/λ}; a factor of 2, x or π; a curve that is not the
+/// separatrix.
 #[test]
 fn the_separatrix_splits_by_lazutkins_constant() {
     let at_zero: f64 = [(0.2, 2.4), (0.3, -64.0 / 35.0), (0.4, 3.0 / 7.0)]

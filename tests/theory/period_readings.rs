@@ -92,8 +92,8 @@ fn between_crossings(law: impl Fn(f64) -> f64) -> f64 {
 ///
 /// The next term is of relative order h² ω² at the bottom, 4k² G h², with a coefficient below 1.
 ///
-/// Catches: the vertex of the wrong three samples, the chord of the wrong two, a correction of the
-/// wrong sign, a straight line instead of the cubic, a cubic with one of its velocities wrong.
+/// Catches: the vertex of the wrong three samples; the chord of the wrong two; a correction of the
+/// wrong sign; a straight line in place of the cubic; a cubic with one of its velocities wrong.
 #[rstest]
 fn each_reading_errs_by_its_own_law(#[values(1000, 2000, 4000)] n: u32) {
     /// Times up to 10 s are rounded twice by 1e-15; the exact period, 8 s, by the same amount.

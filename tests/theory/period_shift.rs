@@ -136,8 +136,8 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
 /// orbit stays locked for a twentieth of a step and more on either side; its place is a quarter of
 /// a step from that of a method whose period is right.
 ///
-/// Catches: the period's shift left out of the place, or with the other sign; a place in steps a
-/// small-angle period.
+/// Catches: a place that leaves out the period's shift, or has it with the wrong sign; a place
+/// given in steps per small-angle period.
 #[rstest]
 #[case("blanes-moan-6", 6, 0.05)]
 #[case("blanes-moan-6", 8, 0.05)]

@@ -68,7 +68,7 @@ fn the_lock_is_a_two_cycle(#[case] h: f64, #[case] bottom: f64, #[case] top: f64
 /// m L² (π/h)²/2.
 ///
 /// Catches: a forward Euler whose kick uses the new angle, which would not saturate; a reduction of
-/// θ that breaks the phase of kicks; a saturation at another multiple of π/h.
+/// θ that disturbs the phase of the kicks; saturation at another multiple of π/h.
 #[rstest]
 fn energy_saturates_in_a_band(
     #[values((0.1, 100_000), (0.05, 400_000))] scene: (f64, u64),

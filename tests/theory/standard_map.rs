@@ -47,8 +47,8 @@ fn bundle(orbits: u32) -> impl Iterator<Item = Phase> {
 /// With a step that is a power of two, scaling by it commutes with rounding: 10⁵ steps in the
 /// chaotic layer give the same bits.
 ///
-/// Catches: drift before kick, the old velocity in the drift, g for g/L, a step with any additional
-/// operation.
+/// Catches: drift before kick; the old velocity in the drift; g in place of g/L; a step with any
+/// additional operation.
 #[rstest]
 fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)] k: f64) {
     let (pendulum, start) = (pendulum(k), Phase { theta: 3.0, omega: 1.0 });
@@ -127,8 +127,8 @@ const STEPS: u64 = 1_000_000;
 /// 10⁶ turns, 2e-10, cannot change it. And u stays below 2π, where the copy of the layer one turn a
 /// step faster lies.
 ///
-/// Catches: a step that is not area-preserving, or that loses its tori to inaccurate arithmetic; K
-/// taken for √K.
+/// Catches: a step that does not preserve area, or whose inaccurate arithmetic destroys the last
+/// curve; K taken for its root √K.
 #[rstest]
 #[case::symplectic_euler(SymplecticEuler)]
 #[case::stormer_verlet(StormerVerlet)]

@@ -13,7 +13,7 @@ use pendula_judge::zoo::runge_kutta::Tableau;
 use pendula_judge::zoo::{euler, impostor_named, processed};
 use rstest::rstest;
 
-/// Catches: a check that no longer discriminates.
+/// Catches: a check that no longer tells right methods from wrong ones.
 fn impostors_are_caught(name: &str) {
     let impostor = impostor_named(name).unwrap();
     assert_eq!(impostor.method.info(), impostor.poses_as, "it claims to be another");
@@ -57,7 +57,8 @@ fn impostors_with_nothing_wrong_are_right() {
 /// The pendulum is autonomous, so that none of the properties above depends on the times at which
 /// RK4 evaluates its stages. A driven system does.
 ///
-/// Catches: stages at the wrong times, which reduce the order to 1 as soon as a pendulum is driven.
+/// Catches: stages at the wrong times, which reduce the order to 1 as soon as the pendulum is
+/// driven.
 #[rstest]
 #[case::all_stages_at_the_start(Tableau { c: [0.0; 4], ..Tableau::RIGHT })]
 #[case::middle_stages_at_the_end(Tableau { c: [0.0, 1.0, 1.0, 1.0], ..Tableau::RIGHT })]

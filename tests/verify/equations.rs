@@ -171,7 +171,7 @@ fn told(report: &Report) -> String {
 
 /// Each program with one mistake that is made and reported in public.
 ///
-/// Catches: another kind told, or none.
+/// Catches: a mistake reported as one of another kind, or not at all.
 #[rstest]
 #[case::linear(linear, Some(Kind::Force))]
 #[case::degrees_in(degrees_in, Some(Kind::SineOfDegrees))]

@@ -24,7 +24,7 @@ fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
 
 /// Each with its driven pendulum, and with steps that lead back.
 ///
-/// Catches: a judge that refuses a right method, or cannot tell.
+/// Catches: a judge that refuses a right method, or cannot decide.
 fn our_methods_hold_their_claims(method: &dyn AnyMethod) {
     let chosen = Chosen::named(method.info().name).unwrap();
     let report = assert_itself(&chosen, method);
@@ -66,7 +66,7 @@ each_impostor!(impostors_are_refused);
 
 /// The pendulum cannot see at which times a method evaluates its stages; a drive can.
 ///
-/// Catches: a judge that does not ask for it, or refuses right times.
+/// Catches: a judge that does not test the times of the stages, or refuses right ones.
 #[rstest]
 #[case::right_times(rk4, Verdict::Holds)]
 #[case::all_at_the_start(the_drive_at_the_steps_start, Verdict::Fails)]

@@ -251,8 +251,8 @@ fn rounding_is_what_it_is_taken_for(#[values(64, 256, 1024)] rate: u32) {
 // Slopes along a ladder, of errors whose law is known
 // -------------------------------------------------------------------------------------------------
 
-/// Catches: a slope upside down, of the wrong pair, or in another base; a ladder read in one
-/// direction only.
+/// Catches: a slope that is upside down, from the wrong pair, or in another base; a ladder read in
+/// one direction only.
 #[test]
 fn a_power_law_has_its_power_as_slope() {
     let steps = [0.1, 0.05, 0.01, 0.02];

@@ -34,7 +34,7 @@ const ABOUT: &str = if cfg!(feature = "book") {
 
 /// What scripts want to know.
 const STATUS: &str = "\
-`pendula COMMAND --help` has examples. Also there: serve, preprocess, completions, man
+`pendula COMMAND --help` has examples. Further commands: serve, preprocess, completions, man
 
 Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails";
 
@@ -42,18 +42,18 @@ Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused 
 /// [`crate::commands`].
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Those that need the study
+    /// The commands that need the study
     #[cfg(feature = "book")]
     #[command(flatten)]
     Study(crate::commands::study::Command),
-    /// Judge a program that is not ours against what it claims; exit status 1 if a claim fails, 2
-    /// if the program is at fault
+    /// Judge any program by what is claimed of it; exit status 1 if a claim fails, 2 if the program
+    /// cannot be judged
     #[command(display_order = 2, after_help = examples(&[
         "pendula verify --claims \"order=2 symplectic\" -- pendula serve stormer-verlet",
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),
-    /// Integrate and print rows t, theta, omega, energy
+    /// Integrate, and print rows of t, theta, omega, energy
     #[command(display_order = 4, after_help = examples(&[
         "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
         "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",
@@ -76,7 +76,7 @@ pub enum Command {
         "pendula sweep --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
     ]))]
     Sweep(Box<sweep::Arguments>),
-    /// Print the methods: order, what each keeps, what a step costs, and where the book has it
+    /// Print the methods: order, what each preserves, what a step costs, and its place in the book
     #[command(display_order = 7, after_help = examples(&[
         "pendula methods",
         "pendula methods --format csv > methods.csv",

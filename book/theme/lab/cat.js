@@ -170,7 +170,7 @@ figures.cat = class extends Moved {
         const areas = this.charts
             .filter(({ method }) => method)
             .map(({ method, ratio }) => `${method.title} ${ratio}`);
-        return `The cat’s area, in units of its first: ${areas.join(', ')}.`;
+        return `The cat’s area, relative to the start: ${areas.join(', ')}.`;
     }
 
     show() {
@@ -200,7 +200,7 @@ figures.cat = class extends Moved {
         const steps = `t = ${(scene.h * this.taken).toFixed(2)} s`;
         const error = worst < 5e-5 ? 'less than 0.01' : (100 * worst).toFixed(2);
         this.time.textContent = this.taken
-            ? `${steps}; ${this.cat.length / 2} points, whose polygon errs by ${error} %`
+            ? `${steps}; ${this.cat.length / 2} points, whose area is off by ${error} %`
             : `${steps}; ${this.cat.length / 2} points`;
     }
 

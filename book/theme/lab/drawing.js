@@ -171,15 +171,15 @@ class Drawing {
             names = pendulums.map(pendulum => pendulum.method.title).join(', ');
         const energy = conserves(scene) ? 'Energy error' : 'Energy';
         const exact = isClosed(scene);
-        const ring = exact ? 'A ring on a dashed rod is the exact one. ' : '';
-        const over = exact ? ', over exact orbit and separatrix' : '';
-        const keys = 'arrow keys read it out.';
+        const ring = exact ? 'The ring on a dashed rod is the exact motion. ' : '';
+        const over = exact ? ', with the exact orbit and the separatrix' : '';
+        const keys = 'the arrow keys read it out.';
         const say = ({ canvas }, words) => {
             canvas.ariaLabel = words;
         };
         say(this.stage, `Pendulums side by side: ${names}. ${ring}Drag one to set its angle.`);
         say(this.phase, `Phase portrait of ${names}${over}. Drag to set the start; ${keys}`);
-        say(this.energy, `${energy} over time of ${names}; ${keys}`);
-        say(this.angle, `Angle error against the closed form, of ${names}; ${keys}`);
+        say(this.energy, `${energy} of ${names} over time; ${keys}`);
+        say(this.angle, `Angle error of ${names} against the closed form; ${keys}`);
     }
 }

@@ -121,7 +121,7 @@ figures.stencil = class extends Moved {
         });
         this.area.textContent =
             `The step makes a square of ${SIDE} rad × ${SIDE}\u00a0ω₀ about the start ` +
-            `${ratio.toFixed(4)} times as large: the areas of both as polygons of ` +
+            `${ratio.toFixed(4)} times as large; both measured as polygons of ` +
             `${image.length / 2} points.`;
         this.spell(end);
     }
@@ -239,7 +239,7 @@ figures.tilted = class extends Moved {
             (order === 0
                 ? '.'
                 : lost
-                  ? `; with ${terms} the level of H̃ leaves the well, and is no closed curve.`
+                  ? `; with ${terms} the curve of H̃ leaves the well and does not close.`
                   : `, and H̃ with ${terms} by up to ${measured(off[1])} J.`);
     }
 

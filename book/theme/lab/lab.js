@@ -148,8 +148,8 @@ class Lab extends Run {
         this.running &&= this.pendulums.length > 0;
         this.cursor = null;
         const why = conserves(scene)
-            ? 'Beyond what can be computed'
-            : 'Not for this system, or beyond what can be computed';
+            ? 'Cannot be computed'
+            : 'Does not suit this system, or cannot be computed';
         this.notice = refused.length ? `${why}: ${refused.join(', ')}.` : '';
         this.page.say('');
         this.page.settle();

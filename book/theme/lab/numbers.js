@@ -43,7 +43,7 @@ class Numbers {
             ...(isClosed(lab.scene) ? [['Angle error (rad)', p => measured(p.lapse)], angle] : []),
             ['Force evaluations', p => count(p.read(EVALUATIONS))],
             // The minimum, as disturbances only make a time longer.
-            ['Time a step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
+            ['Time per step (ns)', p => (p.times.length ? rough(Math.min(...p.times)) : '–')],
         ];
     }
 
@@ -149,7 +149,7 @@ class Keep {
             await navigator.clipboard.writeText(location.href);
             this.say('The link is copied: it leads to this scene.');
         } catch {
-            this.say('The browser copies nothing for a page: the link is its address.');
+            this.say('The browser does not let a page copy: the link is its address.');
         }
     }
 

@@ -31,7 +31,7 @@ class Lessons {
         this.changed = element('p', { class: 'note changed' });
         this.back = button('back', 'Back', () => this.turn(-1));
         this.next = button('next', 'Next', () => this.turn(1));
-        this.set = button('set', 'Set it again', () => {
+        this.set = button('set', 'Set the scene again', () => {
             const { lesson, step } = lab.scene;
             lab.lesson(lesson, step);
         });
@@ -87,7 +87,7 @@ class Page {
         const sheet = (own, notes = []) => markup`<div class="sheet">${own.canvas}${notes}</div>`;
         this.run = button('run', 'Run', () => lab.run(!lab.running));
         this.time = element('output', { class: 'time', 'aria-live': 'off' });
-        this.slow = element('span', { class: 'note', hidden: true }, 'as fast as it can');
+        this.slow = element('span', { class: 'note', hidden: true }, 'as fast as it can go');
         this.orbit = element('span', { class: 'note' });
         this.said = element('p', { class: 'note said', role: 'status' });
         this.controls = new Controls(lab);
@@ -139,7 +139,7 @@ class Page {
         this.orbit.textContent = [
             isClosed(scene) && 'solid: exact orbit',
             ['pendulum', 'driven'].includes(scene.system) && 'dotted: separatrix',
-            scene.system === 'double' && 'of the upper bob',
+            scene.system === 'double' && 'the upper bob alone',
             'ring: start',
         ]
             .filter(Boolean)

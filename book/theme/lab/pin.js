@@ -101,8 +101,8 @@ class Pin {
             const title = name => this.lab.known.find(known => known.name === name).title;
             differs.push(scene.methods.map(title).join(', '));
         }
-        const what = differs.length ? differs.join(', ') : 'as now';
-        const seen = this.shown().length ? 'Dotted' : 'Pinned, but of another quantity';
+        const what = differs.length ? differs.join(', ') : 'the same scene';
+        const seen = this.shown().length ? 'Dotted' : 'Pinned, but a different quantity';
         return `${seen}: ${what}; up to ${end} s`;
     }
 }

@@ -162,7 +162,7 @@ const slider = (label, unit, [from, to, by], [least, most], logarithmic = false)
 const SLIDERS = {
     dt: slider('Step Δt', 's', [-3, 0.2, 0.01], [1e-5, 3], true),
     theta0: slider('Angle θ₀', 'rad', [-3.14, 3.14, 0.01], [-100, 100]),
-    omega0: slider('Velocity ω', 'rad/s', [-15, 15, 0.05], [-1000, 1000]),
+    omega0: slider('Start velocity ω', 'rad/s', [-15, 15, 0.05], [-1000, 1000]),
     g: slider('Gravity g', 'm/s²', [0.1, 25, 0.01], [0.001, 1000]),
     L: slider('Length L', 'm', [0.1, 5, 0.01], [0.001, 1000]),
     beta: slider('Damping β', '1/s', [0, 2, 0.01], [0, 10]),

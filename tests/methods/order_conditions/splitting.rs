@@ -124,7 +124,7 @@ fn check<M: Splitting + Info>(method: M, kinetic_energy_is_a_square: bool) {
 /// every word of up to p kicks and drifts, and differs in some word of p + 1.
 ///
 /// Catches: a coefficient that is off by 2e-13; a table that is not checked, since these and the
-/// processed ones are all the library's splitting methods of order above 2.
+/// processed ones are all of the library's splitting methods of order above 2.
 #[test]
 fn every_table_meets_its_order_conditions() {
     let mut checked = Vec::new();

@@ -211,7 +211,7 @@ const SERIES: f64 = 2.0;
 
 /// The sequence for DOP853 has a step on which the first of its differences of order 5 vanishes.
 ///
-/// Catches: an estimate that vanishes where another is known, as that of dop853.f does (1869
+/// Catches: an estimate that vanishes where another one would not, as that of dop853.f does (1869
 /// tolerances).
 #[test]
 fn a_step_of_a_pair_is_seldom_off_by_more() {
@@ -221,8 +221,8 @@ fn a_step_of_a_pair_is_seldom_off_by_more() {
     assert!(search.largest < DOP853 && search.steps > 8_000, "{search:?}");
 }
 
-/// Catches: a step that two powers decide, which from rest are one number and may vanish (10¹²
-/// tolerances); powers that grow while each is below a tolerance (51 000, beside the top).
+/// Catches: a step chosen from two powers, which from rest are one number and may both vanish (10¹²
+/// tolerances); powers that grow although each is below a tolerance (51 000, beside the top).
 #[test]
 fn a_step_of_the_series_keeps_its_tolerance() {
     let search = of_series(2000, 3);

@@ -16,13 +16,13 @@ use pendula_output::failure::Failure;
 /// Arguments of `pendula exact`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// Angle at the start: radians, or as pi/3, 60deg
+    /// Angle at the start: in radians, or like pi/3 or 60deg
     #[arg(long, value_name = "ANGLE", value_parser = angle)]
     theta0: f64,
     /// Angular velocity at the start (rad/s)
     #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number)]
     omega0: f64,
-    /// Times (s), separated by commas; without them, print the period and what motion it is
+    /// Times (s), separated by commas; without them, print the period and the kind of motion
     #[arg(long, value_name = "T1,T2,…", value_delimiter = ',', value_parser = number)]
     t: Vec<f64>,
     #[command(flatten)]

@@ -36,8 +36,8 @@ pub fn completions(
 /// Arguments of `pendula man`.
 #[derive(Args, Debug)]
 pub struct ManArguments {
-    /// Write the pages of all commands to this folder, pendula.1, pendula-verify.1 and so on,
-    /// instead of printing that of pendula itself
+    /// Write the pages of all commands to this folder, as pendula.1, pendula-verify.1 and so on,
+    /// instead of printing the page of pendula itself
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }

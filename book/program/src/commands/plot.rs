@@ -13,8 +13,7 @@ use pendula_output::failure::Failure;
 /// Where the rows are drawn.
 #[derive(Args, Debug)]
 pub struct PlotArguments {
-    /// Draw the rows too, as an SVG in this file; as - in the terminal, where they are then not
-    /// printed
+    /// Also draw the rows, as an SVG in this file, or with - in the terminal, in place of the rows
     #[arg(long, value_name = "FILE.svg|-")]
     plot: Option<PathBuf>,
 }

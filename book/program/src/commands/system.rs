@@ -74,11 +74,11 @@ pub enum SystemName {
     Pendulum,
     /// With friction: θ̈ + 2β θ̇ + ω₀² sin θ = 0
     Damped,
-    /// With friction, under a periodic torque: θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt
+    /// With friction and a periodic torque: θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt
     Driven,
-    /// Its pivot shaken up and down as a cos Ωt: θ̈ + (g − aΩ² cos Ωt)/L sin θ = 0
+    /// With its pivot shaken up and down by a cos Ωt: θ̈ + (g − aΩ² cos Ωt)/L sin θ = 0
     Shaken,
-    /// Two pendulums, the second on the bob of the first
+    /// Two pendulums, the second hung from the bob of the first
     DoublePendulum,
 }
 
@@ -95,7 +95,7 @@ pub struct SystemArguments {
     /// What is integrated
     #[arg(long, value_name = "S", value_enum, default_value_t)]
     system: SystemName,
-    /// Angle at the start: radians, or as pi/3, 60deg
+    /// Angle at the start: in radians, or like pi/3 or 60deg
     #[arg(long, value_name = "ANGLE", value_parser = angle)]
     theta0: Option<f64>,
     /// Angular velocity at the start (rad/s) [default: 0]
@@ -119,7 +119,7 @@ pub struct SystemArguments {
 
 #[derive(Args, Debug)]
 struct ForcedArguments {
-    /// Damped or driven: damping β (1/s), the rate at which small swings decay [driven: 0]
+    /// Damped or driven: damping β (1/s), the rate at which small swings decay [driven: default 0]
     #[arg(long, value_name = "1/S", value_parser = number)]
     damping: Option<f64>,
     /// Driven: strength γ of the torque, in units of m g L
@@ -128,20 +128,20 @@ struct ForcedArguments {
     /// Driven: angular frequency Ω of the torque (rad/s)
     #[arg(long, value_name = "RAD/S", value_parser = number)]
     drive_frequency: Option<f64>,
-    /// Shaken: amplitude a of the pivot (m)
+    /// Shaken: amplitude a of the pivot's motion (m)
     #[arg(long, value_name = "M", value_parser = number)]
     pivot_amplitude: Option<f64>,
-    /// Shaken: angular frequency Ω of the pivot (rad/s)
+    /// Shaken: angular frequency Ω of the pivot's motion (rad/s)
     #[arg(long, value_name = "RAD/S", value_parser = number)]
     pivot_frequency: Option<f64>,
 }
 
 #[derive(Args, Debug)]
 struct DoubleStart {
-    /// Angle of the upper rod at the start, from the downward vertical: radians, or as pi/3, 60deg
+    /// Angle of the upper rod at the start, from the downward vertical: in radians, or like pi/3
     #[arg(long, value_name = "ANGLE", value_parser = angle)]
     theta1: Option<f64>,
-    /// Angle of the lower rod at the start, from the downward vertical: radians, or as pi/3, 60deg
+    /// Angle of the lower rod at the start, from the downward vertical: in radians, or like pi/3
     #[arg(long, value_name = "ANGLE", value_parser = angle)]
     theta2: Option<f64>,
     /// Angular velocity of the upper rod at the start (rad/s) [default: 0]

@@ -21,23 +21,23 @@ use pendula_output::interrupt;
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// What is claimed, separated by blanks: order=P, symplectic, symmetric, evaluations=N (a
-    /// step), bounded-energy, name=METHOD
+    /// The claims, separated by spaces: order=P, symplectic, symmetric, evaluations=N (per step),
+    /// bounded-energy, name=METHOD
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
-    /// How long to wait for an answer (s); for all of them, 120 times as long
+    /// How long to wait for each answer (s); the limit for all answers is 120 times as long
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number)]
     patience: f64,
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]
     format: ReportFormat,
-    /// Exit with 0 unless a claim fails, even if one could not be measured or told
+    /// Exit with status 0 unless a claim fails, even if one could not be measured or decided
     #[arg(long)]
     lenient: bool,
-    /// Write the report with its figures to this file too, as a page to read offline
+    /// Also write the report, with its figures, to this file, as a page to read offline
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Print an example of a program in this language, and judge nothing
+    /// Print an example program in this language, and judge nothing
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     #[arg(conflicts_with_all = ["claims", "patience", "format", "lenient", "report", "program"])]
     example: Option<Language>,

@@ -140,7 +140,7 @@ pub fn snapshots<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Snapshot<'a>> 
         ),
         table(
             "enclosure",
-            "Bounds that are proved of a trajectory, whatever the roundings",
+            "Proved bounds on a trajectory, whatever the roundings",
             tables::enclosure,
         ),
     ]);

@@ -26,7 +26,7 @@ mod walk;
 /// Arguments of `pendula simulate`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The method [double-pendulum: rk4, and with --tolerance dop853]
+    /// The method [default for the double pendulum: rk4, or dop853 with --tolerance]
     #[arg(long, value_name = "M", value_parser = methods())]
     method: Option<String>,
     #[command(flatten)]

@@ -23,21 +23,21 @@ pub struct TrajectoryArguments {
     stepping: Stepping,
     #[command(flatten)]
     length: Length,
-    /// With --tolerance: the most steps to take, rejected ones included
+    /// With --tolerance: the largest number of steps, including rejected ones
     #[arg(long, value_name = "N", default_value_t = STEP_LIMIT, value_parser = count,
         conflicts_with = "dt")]
     pub max_steps: u64,
-    /// Print every K-th sample, beginning with the start
+    /// Print every K-th sample, starting with the first
     #[arg(long, value_name = "K", default_value = "1", value_parser = positive_count,
         conflicts_with = "tolerance")]
     every: NonZeroU64,
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     pub format: RowFormat,
-    /// Write to this file, which appears only when it is whole
+    /// Write to this file, which appears only when it is complete
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Say on standard error what the run has cost, and how large its errors are
+    /// Say on standard error what the run cost, and how large its errors are
     #[arg(long)]
     pub summary: bool,
     /// Where it is drawn.
@@ -52,8 +52,8 @@ struct Stepping {
     /// Step Δt (s)
     #[arg(long, value_name = "S", value_parser = number)]
     dt: Option<f64>,
-    /// Instead of --dt: steps whose size follows the motion, with this error in each, absolutely
-    /// (rad, rad/s) and relatively; a row for each
+    /// Instead of --dt: steps that follow the motion, each with at most this error, absolute (rad,
+    /// rad/s) and relative; a row for each step
     #[arg(long, value_name = "E", value_parser = number, conflicts_with = "steps")]
     tolerance: Option<f64>,
 }
@@ -62,8 +62,8 @@ struct Stepping {
 #[derive(Args, Debug)]
 #[group(id = "extent", required = true, multiple = false)]
 struct Length {
-    /// Duration (s): a whole number of steps of --dt; with --tolerance any, back in time if it is
-    /// negative
+    /// Duration (s): with --dt a whole number of steps; with --tolerance any, and backwards in time
+    /// if negative
     #[arg(long, value_name = "S", value_parser = number)]
     duration: Option<f64>,
     /// Number of steps

@@ -28,15 +28,15 @@ pub enum Command {
     #[command(display_order = 1, after_help = examples(&["pendula book"]))]
     Book(BookArguments),
     /// Show what moved since the tables and figures were reviewed, or since a commit; exit status 1
-    /// if something did
+    /// if anything moved
     #[command(display_order = 3, after_help = examples(&[
         "pendula review --format markdown",
     ]))]
     Review(review::Arguments),
-    /// Print the paper beside what was measured: its tables, and all that it claims
+    /// Print the paper beside what was measured: its tables, and all of its claims
     #[command(subcommand, arg_required_else_help = false, display_order = 8)]
     Paper(Paper),
-    /// Measure run time against error on this machine, for the table, the figure and the book
+    /// Measure run time against error on this machine, and print it; the book then shows it
     #[command(display_order = 9, after_help = examples(&[
         "pendula bench --seconds 1 --output .",
     ]))]
@@ -51,7 +51,7 @@ pub enum Command {
 /// What is printed of the paper.
 #[derive(Debug, Subcommand)]
 pub enum Paper {
-    /// Print its tables: stated, measured, verdict
+    /// Print its tables, stated and measured, with the verdicts
     #[command(after_help = examples(&[
         "pendula paper tables --table 4",
         "pendula paper tables --format csv > cells.csv",
@@ -117,7 +117,7 @@ pub struct PreprocessArguments {
 /// Questions that mdBook may ask before it sends a book.
 #[derive(Debug, Subcommand)]
 enum Question {
-    /// Exit with status 0 if pages are made for this renderer, 1 if not
+    /// Exit with status 0 if this renderer is supported, 1 if not
     Supports {
         /// The renderer's name: only html is supported
         renderer: String,

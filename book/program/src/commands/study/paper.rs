@@ -17,7 +17,7 @@ use pendula_output::failure::Failure;
 /// Arguments of `pendula paper tables`.
 #[derive(Args, Debug)]
 pub struct TablesArguments {
-    /// Only this table
+    /// Print only this table
     #[arg(long, value_name = "N", value_parser = table_number)]
     table: Option<u32>,
     /// How the cells are printed

@@ -21,16 +21,16 @@ use pendula_output::files;
 /// Arguments of `pendula review`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// How what moved is shown
+    /// How to show what moved
     #[arg(long, value_enum, default_value_t)]
     format: ReviewFormat,
     /// Open the page in the browser
     #[arg(long, conflicts_with = "format")]
     open: bool,
-    /// Compare the snapshots committed at this revision with what the working tree gives
+    /// Compare the snapshots committed at this revision with those of the working tree
     #[arg(long, value_name = "REV")]
     since: Option<String>,
-    /// Accept what these snapshots are now
+    /// Accept these snapshots as they are now
     #[arg(long, value_name = "NAME", num_args = 1..)]
     #[arg(conflicts_with_all = ["since", "open", "format"])]
     accept: Vec<String>,

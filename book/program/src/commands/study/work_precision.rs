@@ -26,10 +26,10 @@ pub struct Arguments {
     /// How the table is printed
     #[arg(long, value_enum, default_value_t)]
     format: TableFormat,
-    /// Measure for at most about this long (s): the longer, the smaller the smallest errors
+    /// Measure for about this long at most (s); a longer time reaches smaller errors
     #[arg(long, value_name = "S", default_value_t = 15.0, value_parser = number)]
     seconds: f64,
-    /// Write work-precision.svg and work-precision.csv to this folder instead of the one where the
+    /// Write work-precision.svg and work-precision.csv to this folder, not to the one where the
     /// book looks for them
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,

@@ -45,14 +45,14 @@ struct SweepArguments {
     /// The method
     #[arg(long, value_name = "M", value_parser = methods())]
     method: String,
-    /// Angle at the start, in radians or as pi/3, 60deg; or a range of them at even distances
+    /// Angle at the start, in radians or like pi/3 or 60deg; or a range of equally spaced angles
     #[arg(long, value_name = "ANGLE|FROM:TO:COUNT", value_parser = angles)]
     theta0: Sweep,
     /// Angular velocity at the start (rad/s)
     #[arg(long, value_name = "RAD/S", default_value_t = 0.0, value_parser = number)]
     omega0: f64,
-    /// Step Δt (s), or a range of them in even ratios, each moved to the nearest whole number of
-    /// steps; equal numbers are run once
+    /// Step Δt (s), or a range of steps in equal ratios, each adjusted so that a whole number of
+    /// them fits; equal numbers of steps are run once
     #[arg(long, value_name = "S|FROM:TO:COUNT")]
     dt: Sweep,
     /// Duration (s), a whole number of steps
@@ -66,17 +66,18 @@ struct SweepArguments {
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     format: RowFormat,
-    /// Compute the K-th of N parts of the sweep alone, as CSV: the parts one after the other are
-    /// the whole, with a header in the first
+    /// Compute only the K-th of N parts of the sweep, as CSV; put one after the other, the parts
+    /// are the whole, with a header in the first
     #[arg(long, value_name = "K/N")]
     part: Option<Part>,
-    /// Run on the OpenCL device with NAME in its name, see `pendula sweep devices`: the same bits
+    /// Run on the OpenCL device with NAME in its name, with the same bits (see `pendula sweep
+    /// devices`)
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// Write to this file, which appears only when it is whole
+    /// Write to this file, which appears only when it is complete
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Say on standard error what the runs have cost, and how large their errors are
+    /// Say on standard error what the runs cost, and how large their errors are
     #[arg(long)]
     summary: bool,
     #[command(flatten)]
