@@ -114,6 +114,10 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
         let sentence = format!("Each step multiplies ω by {words}, however long it is");
         return Ok((Departure::new(Kind::DragEachStep, &[left], sentence), Vec::new()));
     }
+    // Off, but by less than a factor can be told to: where it leads says more.
+    if scaled(1.0, 1.0) {
+        return Ok((other(field), Vec::new()));
+    }
     if scaled(angle, share) && angle != 0.0 && share != 0.0 {
         // A factor of a few digits is meant to have no more.
         let times = [angle, share].map(|x| {
