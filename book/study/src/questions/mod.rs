@@ -6,6 +6,24 @@
 
 use std::collections::BTreeMap;
 
+mod choosing;
+mod exam;
+mod forward_euler;
+mod higher_order;
+mod introduction;
+mod judging;
+mod limits;
+mod long_run;
+mod order;
+mod other_systems;
+mod pendulum;
+mod phase_space;
+mod rk4;
+mod small_angle;
+mod stormer_verlet;
+mod symplectic_euler;
+mod varying_steps;
+
 /// What is right.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Truth {
@@ -49,7 +67,25 @@ impl Truth {
 type Compute = fn() -> Truth;
 
 /// The questions of each chapter.
-const CHAPTERS: &[&[(&str, Compute)]] = &[];
+const CHAPTERS: &[&[(&str, Compute)]] = &[
+    introduction::QUESTIONS,
+    pendulum::QUESTIONS,
+    forward_euler::QUESTIONS,
+    symplectic_euler::QUESTIONS,
+    stormer_verlet::QUESTIONS,
+    rk4::QUESTIONS,
+    order::QUESTIONS,
+    long_run::QUESTIONS,
+    phase_space::QUESTIONS,
+    small_angle::QUESTIONS,
+    limits::QUESTIONS,
+    higher_order::QUESTIONS,
+    varying_steps::QUESTIONS,
+    other_systems::QUESTIONS,
+    choosing::QUESTIONS,
+    judging::QUESTIONS,
+    exam::QUESTIONS,
+];
 
 /// What is right in each question, by its id: computed when it is asked for.
 pub fn all() -> BTreeMap<&'static str, Compute> {
@@ -59,4 +95,32 @@ pub fn all() -> BTreeMap<&'static str, Compute> {
 /// What is right in the question with this id; nothing if there is none.
 pub fn truth(id: &str) -> Option<Truth> {
     Some(all().get(id)?())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a question with two right answers or none, as the method that it asks about has
+    /// changed; mistakes that lead to the right number; two questions of one id.
+    #[test]
+    fn each_question_has_one_right_answer() {
+        let count: usize = CHAPTERS.iter().map(|questions| questions.len()).sum();
+        assert_eq!(all().len(), count, "two questions of one id");
+        for (id, truth) in all() {
+            match truth() {
+                Truth::Which(choices) => {
+                    let right = choices.iter().filter(|(_, is_right)| *is_right).count();
+                    assert_eq!(right, 1, "{id}: {choices:?}");
+                }
+                Truth::Number { right, mistakes } => {
+                    assert!(right > 0.0, "{id}: {right}");
+                    for (name, wrong) in mistakes {
+                        assert!((wrong / right).ln().abs() > 0.1, "{id}: {name} gives {wrong}");
+                    }
+                }
+                Truth::Order(items) => assert!(items.len() > 2, "{id}: {items:?}"),
+            }
+        }
+    }
 }

@@ -1,0 +1,6 @@
+//! Questions of "Choosing an integrator".
+
+use super::Compute;
+
+/// The chapter's questions.
+pub const QUESTIONS: &[(&str, Compute)] = &[];

@@ -1,0 +1,6 @@
+//! Questions of "Forward Euler".
+
+use super::Compute;
+
+/// The chapter's questions.
+pub const QUESTIONS: &[(&str, Compute)] = &[];

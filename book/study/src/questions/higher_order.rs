@@ -1,0 +1,6 @@
+//! Questions of "Higher order".
+
+use super::Compute;
+
+/// The chapter's questions.
+pub const QUESTIONS: &[(&str, Compute)] = &[];

@@ -1,0 +1,6 @@
+//! Questions of "A thousand seconds".
+
+use super::Compute;
+
+/// The chapter's questions.
+pub const QUESTIONS: &[(&str, Compute)] = &[];

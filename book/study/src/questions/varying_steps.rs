@@ -1,0 +1,6 @@
+//! Questions of "Steps that vary".
+
+use super::Compute;
+
+/// The chapter's questions.
+pub const QUESTIONS: &[(&str, Compute)] = &[];
