@@ -6,13 +6,15 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from browser import Part
+
 ROOT = Path(__file__).resolve().parents[2]
 # The buttons of the listings that run, and what stands below each.
 LISTINGS = """all('pre:has(> code.language-rust:not(.ignore))').map(listing => {
     const below = listing.nextElementSibling;
     return below?.matches('.output') ? below.textContent.trim() : null;
 })"""
-PRESS = """n => all('pre:has(> code.language-rust:not(.ignore))')[n]
+PRESS = """all('pre:has(> code.language-rust:not(.ignore))')[given]
     .querySelector('.clip-button').click()"""
 
 
@@ -24,11 +26,12 @@ def copied(tab, book) -> list[tuple[str, str, str | None]]:
         if 'class="language-rust"' not in book.text(page):
             continue
         tab.open(page)
-        for n, output in enumerate(tab.run(LISTINGS)):
-            tab.run(PRESS, n)
+        text = Part(tab, "main")
+        for n, output in enumerate(text.run(LISTINGS)):
+            text.run(PRESS, n)
             found.append((f"{page} {n}", tab.run("navigator.clipboard.readText()"), output))
         # The lines that are hidden are hidden again.
-        assert tab.run("all('code:has(.boring):not(.hide-boring)').length") == 0, page
+        assert text.run("all('code:has(.boring):not(.hide-boring)').length") == 0, page
     return found
 
 
