@@ -206,8 +206,8 @@ fn volume(step: impl Fn(PlanePhase) -> PlanePhase) -> f64 {
     volume
 }
 
-/// Central differences with δ = 1e-5: rounding ε/δ = 2e-11 in each of sixteen elements, δ²/6 = 2e-11
-/// times third derivatives below 1; a margin of 10.
+/// Central differences with δ = 1e-5: rounding ε/δ = 2e-11 in each of sixteen elements, δ²/6 =
+/// 2e-11 times third derivatives below 1; a margin of 10.
 const VOLUME_TOLERANCE: f64 = 4e-10;
 
 /// Catches: a rotation by a cosine and a sine that are not those of one angle; a field at another
@@ -216,8 +216,8 @@ const VOLUME_TOLERANCE: f64 = 4e-10;
 fn boris_keeps_the_speed_and_the_volume() {
     let h = 0.3;
     assert_abs_diff_eq!(volume(|z| boris(&VARYING, h, z)), 1.0, epsilon = VOLUME_TOLERANCE);
-    // Without an electric field it is the speed that is kept. Of 10 000 long steps each rounds it by
-    // less than 4ε: that of the two quotients, of the products and of the sums.
+    // Without an electric field it is the speed that is kept. Of 10 000 long steps each rounds it
+    // by less than 4ε: that of the two quotients, of the products and of the sums.
     let magnetic = Field { pull: 0.0, ..VARYING };
     let speed = |z: PlanePhase| z.vx.hypot(z.vy);
     let end = (0..10_000).fold(START, |z, _| boris(&magnetic, 0.5, z));
