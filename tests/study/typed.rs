@@ -6,10 +6,10 @@ use std::fs;
 
 use pendula::arithmetic::sine::sin;
 use pendula::systems::{Ellipse, Kepler};
-use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact};
+use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact, method_named};
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;
-use pendula_study::experiments::{long_run, small_angle, standard_map, truncation};
+use pendula_study::experiments::{choosing, long_run, small_angle, standard_map, truncation};
 use pendula_study::theory;
 
 use crate::measured;
@@ -35,6 +35,11 @@ const TYPED: &[Typed] = &[
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
     ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
     ("choosing", "about 40 000 periods", "4.0e4", || 86_400.0 / period(1.0)),
+    ("choosing", "take RK4 about 28 000", "2.8e4", || hundred_swings("rk4")),
+    ("choosing", "Störmer–Verlet about 94 000.", "9.4e4", || hundred_swings("stormer-verlet")),
+    ("choosing", "after about 1070 s.", "1.07e3", angle_overtakes),
+    ("choosing", "after about 240 000 s,", "2.40e5", energy_overtakes),
+    ("choosing", "after about 4 minutes", "4", || energy_overtakes() / 4_f64.powi(5) / 60.0),
     ("small-angle", "a step of about 0.01955 s", "0.01955", cancelling_step),
     ("small-angle", r"$\Delta t$ = 0.01955 s", "0.01955", cancelling_step),
     ("order", r"$45.2\,h^5\,t$", "45.2", || -loss(FRAC_PI_3)),
@@ -140,6 +145,13 @@ fn angle_overtakes() -> f64 {
     let pairs = largest(&StormerVerlet, 4).into_iter().zip(largest(&Rk4, 1));
     let mut ahead = pairs.filter(|(verlet, rk4)| verlet.1 >= rk4.1).map(|((t, _), _)| t);
     ahead.next_back().unwrap()
+}
+
+/// The evaluations with which a method keeps the angle within a thousandth of a radian over a
+/// hundred swings from 1 rad, as in the figure of costs.
+fn hundred_swings(method: &str) -> f64 {
+    let costs = choosing::costs(&[method_named(method).unwrap()]);
+    costs[0].unwrap().evaluations as f64
 }
 
 /// Symplectic Euler's energy error over RK4's in the long run.

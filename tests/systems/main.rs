@@ -9,4 +9,5 @@ mod double_pendulum;
 mod driven;
 mod dynamics;
 mod kepler;
+mod magnetic;
 mod shaken;
