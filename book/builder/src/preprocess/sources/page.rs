@@ -73,7 +73,8 @@ fn push_code(page: &mut String, lines: &[&str]) {
     }
     let fence = fence(&code, 3);
     let shown: String = code.trim_matches('\n').lines().map(shown).collect();
-    *page += &format!("\n{fence}rust\n{shown}{fence}\n");
+    // Not a listing, which would be made a program.
+    *page += &format!("\n{fence}rust,source\n{shown}{fence}\n");
 }
 
 /// mdBook hides a line of Rust that begins with `# `, as rustdoc does; in a file of tests such a
