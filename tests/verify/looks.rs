@@ -221,7 +221,7 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     a_truncated_coefficient, told,
     Claims::order(4), &["order"],
     "It is a known mistake in rk4, rk4-weights-to-four-digits: .1667 and .3333 for 1/6 and 1/3 \
-     (order 2, small at first). From this follows what fails in order and stage-times.|A \
+     (order 2, small at first). This explains the failures in order and stage-times.|A \
      coefficient has too few digits, about 4: Σ bᵢ aᵢⱼ cⱼ is 0.166675, not 1/6.",
 )]
 #[case::g_over_l_of_another_place(
@@ -259,7 +259,7 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
     the_fourth_stage_from_the_second_slope, told,
     Claims::order(4), &["order"],
     "It is a known mistake in rk4, rk4-fourth-stage-from-second-slope: k4 is built on k2, not on \
-     k3 (order 3). From this follows what fails in order.|Its order is 3, not 4: the error of a \
+     k3 (order 3). This explains the failure in order.|Its order is 3, not 4: the error of a \
      step begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not 1/24",
 )]
 #[case::the_drive_at_the_steps_start(

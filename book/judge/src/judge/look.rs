@@ -209,7 +209,8 @@ fn in_words(causes: Vec<Cause>, failed: &[&'static str]) -> Vec<String> {
         let follow: Vec<&str> = follow.into_iter().filter(|name| !said(name)).collect();
         lines.push(match &follow[..] {
             [] => format!("{text}."),
-            names => format!("{text}. From this follows what fails in {}.", listed(names)),
+            [name] => format!("{text}. This explains the failure in {name}."),
+            names => format!("{text}. This explains the failures in {}.", listed(names)),
         });
     }
     lines
