@@ -114,9 +114,9 @@ fn the_error_falls_with_the_tolerance<M: Controlled<Pendulum>>(method: M) {
 each_controlled!(the_error_falls_with_the_tolerance);
 
 /// The method that steps is better by an order than the one whose error is estimated: below 1e-7 no
-/// step of a swing is off by as much as the tolerance allows. (In rare states elsewhere the estimate
-/// vanishes by chance: see `largest_error`.) But it is not so much better that the steps are too
-/// small: a step of half the size would have an error 2⁹ times smaller.
+/// step of a swing is off by as much as the tolerance allows. (Elsewhere the estimate may vanish by
+/// chance: see `largest_error`.) But it is not so much better that the steps are too small: a step
+/// of half the size would have an error 2⁹ times smaller.
 ///
 /// Catches: an estimate of the error that is too small, by a factor or in one component, or far too
 /// large.
