@@ -98,6 +98,7 @@ fn each_other_table(
         "crossings",
         "diffusion",
         "enclosure",
+        "questions",
         "zoo",
         "a_change"
     )]

@@ -144,6 +144,8 @@ pub fn snapshots<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Snapshot<'a>> 
             tables::enclosure,
         ),
     ]);
+    let about = "What is right in the questions of the book";
+    snapshots.push(table("questions", about, tables::questions));
     let about = "Wrong methods, and the properties that catch them";
     snapshots.push(table("zoo", about, tables::zoo));
     snapshots.extend(figures().map(|drawing| {
