@@ -95,19 +95,11 @@ impl Figure {
         } else {
             (format!("width=\"100%\" viewBox=\"0 0 {WIDTH} {}\"", Num(height)), String::new())
         };
-        let hatch = match fills.contains(&Fill::Hatch) {
-            true => format!(
-                "<pattern id=\"{id}-hatch\" width=\"7\" height=\"7\" \
-                 patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\n\
-                 <path class=\"across\" d=\"M3,0v7\"/></pattern>\n"
-            ),
-            false => String::new(),
-        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n{frame} \
              role=\"img\"\naria-labelledby=\"{id}-title {id}-desc\">\n<title \
              id=\"{id}-title\">{}</title>\n<desc \
-             id=\"{id}-desc\">{}</desc>\n{}{hatch}{above}{body}</svg>\n",
+             id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
             style_sheet(&id, &styles, &fills, alone),
