@@ -122,7 +122,8 @@ fn figure_5() -> Vec<Expected> {
         let period = exact::period(&Pendulum::PAPER, theta_0).unwrap();
         // Once round, and the step that closes it.
         let orbit = run(of("rk4"), theta_0, 0.01, 0.01 * (period / 0.01).ceil());
-        expect("ω (rad/s)", "RK4", orbit.into_iter().map(|(_, z)| (z.theta, z.omega)))
+        let label = "swings, computed step by step";
+        expect("ω (rad/s)", label, orbit.into_iter().map(|(_, z)| (z.theta, z.omega)))
     });
     orbits.collect()
 }
