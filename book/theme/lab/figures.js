@@ -1,6 +1,7 @@
 // One step of a method taken apart: the reader moves the start and the step, and sees the parts of
 // the step, its end beside the true motion's, and what becomes of a square. And the level curve of
-// symplectic Euler's H̃, built term by term under a slider, with the points of the method.
+// symplectic Euler's modified energy, built term by term under a slider, with the points of the
+// method.
 'use strict';
 
 // Numbered as in book/curves/src/parts.rs.
@@ -198,7 +199,7 @@ figures.tilted = class extends Moved {
     lay() {
         const sliders = [
             this.slider('h', 'Step h', 's', { from: 0.02, to: 0.4, by: 0.01 }),
-            this.slider('order', 'Terms of H̃', '', { from: 0, to: 7, by: 1 }),
+            this.slider('order', 'Terms', '', { from: 0, to: 7, by: 1 }),
             this.slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 }),
             this.slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 }),
         ];
@@ -233,14 +234,13 @@ figures.tilted = class extends Moved {
         plane.markers(points, method);
         this.entries();
         const lost = curve.some(Number.isNaN);
-        const terms = order === 1 ? '1 term' : `${order} terms`;
         this.strays.textContent =
             `Over these steps H strays from its start by up to ${measured(off[0])} J` +
             (order === 0
                 ? '.'
                 : lost
-                  ? `; with ${terms} the level of H̃ leaves the well, and is no closed curve.`
-                  : `, and H̃ with ${terms} by up to ${measured(off[1])} J.`);
+                  ? '; the level curve of the modified energy leaves the well, and does not close.'
+                  : `, and the modified energy by up to ${measured(off[1])} J.`);
     }
 
     entries() {
@@ -250,7 +250,7 @@ figures.tilted = class extends Moved {
         this.legend([
             ['true orbit, H', 'M0,0h36', 'line'],
             [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
-            ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
+            ...(scene.order ? [[`modified energy, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
         ]);
     }
 };

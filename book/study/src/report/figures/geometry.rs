@@ -329,8 +329,8 @@ pub(super) fn tilted_curve(_: &Study, figure: Figure) -> Figure {
     let label = format!("{}, h = {} s", title(run.method), run.step);
     let curves = [
         ("true orbit, H", Style::REFERENCE),
-        ("H̃, one term", Style::GUIDE),
-        ("H̃, 7 terms", Style::REFERENCE.dashed()),
+        ("one term", Style::GUIDE),
+        ("modified energy, 7 terms", Style::REFERENCE.dashed()),
     ];
     figure.panel(followed(run, (1.3, 3.6), curves, &label).height(330.0))
 }
