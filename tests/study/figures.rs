@@ -8,7 +8,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use approx::{assert_relative_eq, relative_eq};
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, exact, method_named,
+    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, method_named,
 };
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 use pendula_study::experiments::{choosing, in_paper, level_curves};
@@ -186,6 +186,38 @@ fn stencil(name: &'static str, step: f64) -> Vec<Expected> {
     ]
 }
 
+/// RK4's step in two charts: the places of the slopes and the slopes there, and the sum of their
+/// shares, which ends where the step does.
+fn stencil_rk4() -> Vec<Expected> {
+    const STEP: f64 = 0.55;
+    let (pendulum, start) = (Pendulum::PAPER, Phase { theta: -1.2, omega: 1.0 });
+    let rate = |z: Phase| pendulum.rate(0.0, z);
+    let k1 = rate(start);
+    let k2 = rate(start + k1 * (STEP / 2.0));
+    let k3 = rate(start + k2 * (STEP / 2.0));
+    let places = [k1 * (STEP / 2.0), k2 * (STEP / 2.0), k3 * STEP].map(|by| start + by);
+    let all = [start, places[0], places[1], places[2]];
+    let point = |z: Phase| (z.theta, z.omega);
+    let slopes = all.iter().flat_map(|&z| [z, z + rate(z) * (STEP / 4.0)]).map(point);
+    let shares = [k1 * (STEP / 6.0), k2 * (STEP / 3.0), k3 * (STEP / 3.0)];
+    let corners = shares.iter().scan(start, |at, by| {
+        *at = *at + *by;
+        Some(*at)
+    });
+    let ends = stencil("rk4", STEP);
+    let corners: Vec<Point> = corners.map(point).chain(ends[0].values.clone()).collect();
+    let (first, second) = ("Where each slope is taken", "How they are averaged");
+    let ends = ends.into_iter().map(|it| Expected { chart: second.into(), ..it });
+    let mut expected = vec![
+        expect(first, "RK4", [point(start)]),
+        expect(first, "followed from the start", all.map(point)),
+        expect(first, "a slope", slopes),
+        expect(second, "", corners),
+    ];
+    expected.extend(ends);
+    expected
+}
+
 fn swings() -> Vec<Expected> {
     let mut expected = Vec::new();
     for theta_0 in [0.5, 1.5, 2.5, 3.1] {
@@ -232,7 +264,7 @@ fn compare(what: &str, chart: &Chart, label: &str, expected: &[&Expected]) {
 #[case("stencil_forward_euler", || stencil("forward-euler", 0.35))]
 #[case("stencil_symplectic_euler", || stencil("symplectic-euler", 0.35))]
 #[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
-#[case("stencil_rk4", || stencil("rk4", 0.55))]
+#[case("stencil_rk4", stencil_rk4)]
 #[case("swings", swings)]
 fn a_figure_shows_what_the_library_computes(
     #[case] name: &str,
