@@ -7,10 +7,15 @@ use std::f64::consts::PI;
 use std::sync::{LazyLock, OnceLock};
 
 use approx::{assert_relative_eq, relative_eq};
+use pendula::adaptive::SymmetricSteps;
+use pendula::methods::StormerVerlet;
+use pendula::systems::PlanePhase;
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, method_named,
+    AnyMethod, Grid, Hamiltonian, Kepler, METHODS, Motion, Pendulum, Phase, System, exact,
+    integrate, method_named,
 };
 use pendula_study::charts::{Axis, Chart, Figure, Style};
+use pendula_study::experiments::varying_steps::{Control, run as run_of};
 use pendula_study::experiments::{choosing, in_paper, level_curves};
 use pendula_study::report::figures::figures;
 use rstest::rstest;
@@ -233,6 +238,41 @@ fn swings() -> Vec<Expected> {
     expected
 }
 
+/// The largest energy error of a planet so far, revolution by revolution, with the steps that the
+/// library takes by itself: all equal, and symmetric ones.
+fn varying_steps() -> Vec<Expected> {
+    let centre = Kepler::new(2.5).unwrap();
+    let start = PlanePhase { x: 1.0 - 0.8, y: 0.0, vx: 0.0, vy: (2.5_f64 * 1.8 / 0.2).sqrt() };
+    let year = 2.0 * PI / 2.5_f64.sqrt();
+    let initial = centre.energy(start);
+    let so_far = |samples: &[(f64, PlanePhase)]| {
+        let mut largest = 0.0_f64;
+        let mut samples = samples.iter().peekable();
+        let years = (1..=1000_u32).map(|n| {
+            while let Some((_, z)) = samples.next_if(|(t, _)| *t <= f64::from(n) * year) {
+                largest = largest.max((centre.energy(*z) / initial - 1.0).abs());
+            }
+            (f64::from(n), largest)
+        });
+        years.collect::<Vec<Point>>()
+    };
+    let rate = |z: PlanePhase| -1.5 * (z.x * z.vx + z.y * z.vy) / (z.x * z.x + z.y * z.y);
+    let symmetric = SymmetricSteps::new(&centre, start, 0.002, rate).unwrap();
+    let symmetric: Vec<_> = symmetric
+        .map(|sample| sample.map(|it| (it.t, it.z)).unwrap())
+        .take_while(|(t, _)| *t <= 1000.0 * year)
+        .collect();
+    let count = symmetric.len() as u64;
+    let grid = Grid::new(1000.0 * year / count as f64, count).unwrap();
+    let mut equal = Vec::new();
+    let mut keep = |_: u64, t: f64, z: PlanePhase| equal.push((t, z));
+    integrate(&centre, &StormerVerlet, start, &grid, &mut keep);
+    vec![
+        expect("energy error", "equal steps", so_far(&equal)),
+        expect("energy error", "symmetric control", so_far(&symmetric)),
+    ]
+}
+
 /// Compares the series of a chart that have this label with all that they should show: where it is
 /// empty, those without a label that are no guides. What is computed in another order may differ by
 /// a few roundings, of numbers as large as the largest.
@@ -266,6 +306,7 @@ fn compare(what: &str, chart: &Chart, label: &str, expected: &[&Expected]) {
 #[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
 #[case("stencil_rk4", stencil_rk4)]
 #[case("swings", swings)]
+#[case("varying_steps", varying_steps)]
 fn a_figure_shows_what_the_library_computes(
     #[case] name: &str,
     #[case] expected: fn() -> Vec<Expected>,
@@ -287,6 +328,29 @@ fn a_figure_shows_what_the_library_computes(
     for ((chart, label), all) in together {
         compare(&format!("{name}, {chart}, {label:?}"), &figure.panels[chart], label, &all);
     }
+}
+
+/// The figure shows what the chapter says of `symmetric_steps`, in about as many steps each.
+///
+/// Catches: a naive control that does not drift, or that has fewer steps to do it in; the labels of
+/// two of the runs exchanged.
+#[test]
+fn only_the_naive_control_drifts() {
+    let chart = &drawn("varying_steps").panels[0];
+    let so_far = |label: &str| {
+        let series = chart.series.iter().find(|it| it.label == label).expect("a run");
+        assert_eq!(series.points.len(), 1000);
+        [100, 1000].map(|n| series.points[n - 1].1)
+    };
+    let [equal, naive, symmetric] =
+        ["equal steps", "naive control", "symmetric control"].map(so_far);
+    assert!(naive[1] > 5.0 * naive[0], "{naive:?}");
+    assert!(symmetric[1] < 1.0001 * symmetric[0] && equal[1] < 1.01 * equal[0], "{equal:?}");
+    assert!(equal[1] > 40.0 * symmetric[1] && naive[1] > 10.0 * symmetric[1]);
+    let steps = |control| run_of(control).steps;
+    let (naive, symmetric) = (steps(Control::Naive), steps(Control::Symmetric));
+    assert!(naive > symmetric * 9 / 10 && naive < symmetric * 11 / 10, "{naive}, {symmetric}");
+    assert!(steps(Control::Equal).abs_diff(symmetric) <= 1);
 }
 
 /// Catches: a name at the row of another method.
