@@ -31,18 +31,18 @@ impl Releases {
         Ok(Self { double, grid: Grid::with_duration(0.01, 20.0)?, size })
     }
 
-    /// The colour of the dot in this column and row: θ₁ from left to right, θ₂ upwards, each the
-    /// middle of one of `size` parts of a turn.
+    /// The place in the palette of the dot in this column and row: θ₁ from left to right, θ₂
+    /// upwards, each the middle of one of `size` parts of a turn.
     fn colour(&self, column: usize, row: usize) -> u8 {
         let angle = |i| PI * (2 * i + 1 - self.size as i64) as f64 / self.size as f64;
         let theta = [angle(column as i64), angle((self.size - 1 - row) as i64)];
         let start = self.double.start(theta, [0.0; 2]).expect("both angles are small");
-        let mut flip = FirstFlip(None);
-        // With less energy there is none.
-        if self.double.energy(start) >= self.double.least_flip_energy() {
-            integrate(&self.double, &Rk4, start, &self.grid, &mut flip);
+        if self.double.energy(start) < self.double.least_flip_energy() {
+            return UNABLE;
         }
-        flip.0.map_or(NONE, |step| band(step, self.grid.steps()))
+        let mut flip = FirstFlip(None);
+        integrate(&self.double, &Rk4, start, &self.grid, &mut flip);
+        flip.0.map_or(NOT_YET, |step| band(step, self.grid.steps()))
     }
 }
 
@@ -80,23 +80,28 @@ const COLOURS: [[u8; 3]; 15] = [
     [0x46, 0x32, 0x8c],
 ];
 
-/// The colour of a release that does not turn over: transparent.
-const NONE: u8 = COLOURS.len() as u8;
+/// A release that could turn over, and has not in the time of the run: grey, as no band is.
+const NOT_YET: u8 = COLOURS.len() as u8;
+const GREY: [u8; 3] = [0xc0; 3];
+
+/// A release with too little energy to turn over: transparent, so that the figure can have lines
+/// across the paper there.
+const UNABLE: u8 = NOT_YET + 1;
 
 /// The band of a step of `steps`. Each is longer than the one before by the same factor: the first
 /// ends with a fortieth of the steps, the last with all of them.
 fn band(step: u64, steps: u64) -> u8 {
     let end = |band: u8| {
-        let part = 1.0 - f64::from(band) / f64::from(NONE - 1);
+        let part = 1.0 - f64::from(band) / f64::from(NOT_YET - 1);
         (steps as f64 * libm::pow(1.0 / 40.0, part)).round() as u64
     };
-    (0..NONE).find(|band| step <= end(*band)).unwrap_or(NONE)
+    (0..NOT_YET).find(|band| step <= end(*band)).unwrap_or(NOT_YET)
 }
 
 /// All dots, row after row from the top, on all cores.
 fn picture(releases: &Releases) -> Vec<u8> {
     let size = releases.size;
-    let mut dots = vec![NONE; size * size];
+    let mut dots = vec![UNABLE; size * size];
     let rows = Mutex::new(dots[..size * size.div_ceil(2)].chunks_mut(size).enumerate());
     let work = || {
         loop {
@@ -124,8 +129,8 @@ fn write_png(dots: &[u8], out: impl Write) -> io::Result<()> {
     let mut encoder = png::Encoder::new(out, size, size);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_palette([&COLOURS[..], &[[0; 3]]].concat().concat());
-    encoder.set_trns([&[255; COLOURS.len()][..], &[0]].concat());
+    encoder.set_palette([&COLOURS[..], &[GREY, [0; 3]]].concat().concat());
+    encoder.set_trns([&[255; COLOURS.len() + 1][..], &[0]].concat());
     encoder.set_compression(png::Compression::High);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(dots)?;
@@ -151,15 +156,15 @@ mod tests {
     }
 
     fn colour(dot: u8) -> Option<[u8; 3]> {
-        COLOURS.get(usize::from(dot)).copied()
+        [&COLOURS[..], &[GREY]].concat().get(usize::from(dot)).copied()
     }
 
     /// Of the million dots of the picture every 997th, in all columns and rows, and the colours of
     /// its key. (The package alone has no book.)
     ///
     /// Catches: a picture of another method, of other steps or of other pendulums than the chapter
-    /// says; one that is upside down or mirrored; a time one step off where bands meet; a key of
-    /// other colours.
+    /// says; one that is upside down or mirrored; a time one step off where bands meet; a release
+    /// that has not turned over taken for one that cannot; a key of other colours.
     #[test]
     fn the_picture_of_the_book_is_what_this_computes() -> Result<(), Error> {
         let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src/assets");
@@ -174,7 +179,7 @@ mod tests {
             assert_eq!(drawn[place], colour(releases.colour(column, row)), "{column}, {row}");
         }
         let figure = fs::read_to_string(assets.join("flips.svg")).expect("the figure");
-        for [red, green, blue] in COLOURS {
+        for [red, green, blue] in COLOURS.into_iter().chain([GREY]) {
             assert!(drawn.contains(&Some([red, green, blue])));
             assert!(figure.contains(&format!("fill=\"#{red:02x}{green:02x}{blue:02x}\"")));
         }

@@ -15,7 +15,8 @@ STENCILS = [
     ("forward-euler", ["tangent"]),
     ("symplectic-euler", ["kick", "drift"]),
     ("stormer-verlet", ["½ kick", "drift", "½ kick"]),
-    ("rk4", ["k1", "k2", "k3", "k4"]),
+    ("rk4", ["k1 h/2", "k2 h/2", "k3 h", "k1", "k2", "k3", "k4",
+             "k1 h/6", "k2 h/3", "k3 h/3", "k4 h/6"]),
 ]
 TILTED, CAT = "symplectic-euler.html", "phase-space.html"
 SYMPLECTIC = {"symplectic-euler", "stormer-verlet"}
@@ -99,9 +100,13 @@ def test_stencil(tab, book, method, names):
     assert figure.scene() == first
     ratio = float(re.search(r"([\d.]+) times", figure.text(".area"))[1])
     assert (abs(ratio - 1) < 5e-4) == (method in SYMPLECTIC)
-    # As in the still figure.
+    # As in the still figure, the headings of its charts too.
     halos = figure.texts("svg.moved .halo")
     assert [name for name in halos if not name.startswith("area")] == names
+    assert figure.texts("figure > svg .halo") == names
+    still = figure.texts("figure > svg > text")
+    headings = [words for words in figure.texts("svg.moved > text") if words[-1] != ")"]
+    assert len(headings) == (2 if method == "rk4" else 0) and set(headings) <= set(still)
 
 
 def touched(tab: Tab, figure: Stencil):

@@ -171,8 +171,8 @@ fn farthest(points: &[Phase], corners: &[Phase]) -> f64 {
 }
 
 /// A point is on the curve if it is within the drawn line, 2.2 units wide in a drawing of 206 units
-/// a radian. The terms of H̃ from x⁸ on, which the series leaves out, are a fifth of that for
-/// Störmer–Verlet, and would be all of it at h = 0.35 s.
+/// a radian. The terms of H̃ from x⁸ on, which the series leaves out, are a tenth of that at most,
+/// and would be all of it at h = 0.35 s.
 const HALF_A_LINE: f64 = 1.1 / 206.0;
 
 /// Catches: the curve of the other method, of drift before kick, or of another step; ω/ω₀ drawn for

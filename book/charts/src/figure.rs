@@ -23,6 +23,7 @@ pub struct Figure {
     /// Its charts, row by row.
     pub panels: Vec<Chart>,
     columns: usize,
+    legend: bool,
 }
 
 impl Figure {
@@ -30,7 +31,7 @@ impl Figure {
     /// says in words what the picture shows.
     pub fn new(title: impl Into<String>, description: impl Into<String>) -> Self {
         let (title, description) = (title.into(), description.into());
-        Self { title, description, panels: Vec::new(), columns: 1 }
+        Self { title, description, panels: Vec::new(), columns: 1, legend: false }
     }
 
     /// With one more sentence in its description.
@@ -49,6 +50,12 @@ impl Figure {
     /// the same y axis does not repeat what is written on it.
     pub fn columns(self, count: usize) -> Self {
         Self { columns: count.max(1), ..self }
+    }
+
+    /// All lines are named in legends, and none at its end: where those of the first chart lie on
+    /// each other, a reader looks for their names above it.
+    pub fn with_legend(self) -> Self {
+        Self { legend: true, ..self }
     }
 
     /// The `<svg>` element, without a blank line and in short lines, each element on its own.
@@ -88,19 +95,11 @@ impl Figure {
         } else {
             (format!("width=\"100%\" viewBox=\"0 0 {WIDTH} {}\"", Num(height)), String::new())
         };
-        let hatch = match fills.contains(&Fill::Hatch) {
-            true => format!(
-                "<pattern id=\"{id}-hatch\" width=\"7\" height=\"7\" \
-                 patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\n\
-                 <path class=\"across\" d=\"M3,0v7\"/></pattern>\n"
-            ),
-            false => String::new(),
-        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{id}\" class=\"pendula {id}\"\n{frame} \
              role=\"img\"\naria-labelledby=\"{id}-title {id}-desc\">\n<title \
              id=\"{id}-title\">{}</title>\n<desc \
-             id=\"{id}-desc\">{}</desc>\n{}{hatch}{above}{body}</svg>\n",
+             id=\"{id}-desc\">{}</desc>\n{}{above}{body}</svg>\n",
             escape(&self.title),
             wrapped(&escape(&self.description)),
             style_sheet(&id, &styles, &fills, alone),
@@ -120,10 +119,13 @@ struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    fn new(Figure { panels, columns, .. }: &'a Figure, scales: &'a [(Scale, Scale)]) -> Self {
+    fn new(
+        Figure { panels, columns, legend, .. }: &'a Figure,
+        scales: &'a [(Scale, Scale)],
+    ) -> Self {
         // Labels beside a chart need it to be alone in its row.
         let mut ends = ends::of(panels, scales);
-        for row in ends.chunks_mut(*columns).filter(|row| row.len() > 1) {
+        for row in ends.chunks_mut(*columns).filter(|row| *legend || row.len() > 1) {
             row.iter_mut().for_each(Vec::clear);
         }
         let charts = panels.iter().zip(scales).filter(|(chart, _)| !chart.sketch);
@@ -358,6 +360,24 @@ mod tests {
         };
         // The point is 6 units below the curve, and the letters of the label are 15 high.
         assert!(y("halo\" x", " y=\"") > y("class=\"line\"", ",") + 6.0 + 15.0);
+    }
+
+    /// Catches: a legend that is asked for and comes below the first chart, or twice; a label that
+    /// stands at the end of its line as well.
+    #[test]
+    fn a_legend_stands_above_the_first_chart_if_asked() {
+        let chart = |last: f64| {
+            Chart::new(Axis::linear("x"), Axis::linear("y"))
+                .series("rising", Style::numbered(0).line_only(), [(0.0, 0.0), (1.0, last)])
+                .series("level", Style::numbered(1).line_only(), [(0.0, 9.0), (1.0, 9.0)])
+        };
+        let figure = Figure::new("t", "d").panel(chart(9.0)).panel(chart(1.0));
+        let places = |svg: String| {
+            let entry = svg.find(ENTRY).expect("a legend, or a label");
+            (svg.matches(ENTRY).count(), entry < svg.find("<clipPath").expect("a chart"))
+        };
+        assert_eq!(places(figure.to_svg("x")), (4, false));
+        assert_eq!(places(figure.with_legend().to_svg("x")), (2, true));
     }
 
     /// Catches: an empty figure or chart that panics.

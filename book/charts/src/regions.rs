@@ -33,8 +33,6 @@ pub struct Name {
 pub enum Fill {
     /// This one of the areas' colours.
     Colour(usize),
-    /// Lines across it.
-    Hatch,
     /// Nothing: as the paper is.
     Paper,
 }

@@ -240,7 +240,6 @@ fn area(index: usize) -> String {
 pub(super) fn fill(fill: Fill) -> String {
     let class = match fill {
         Fill::Colour(index) => area(index),
-        Fill::Hatch => "hatch".into(),
         Fill::Paper => "clear".into(),
     };
     format!(r#"class="{class}""#)
@@ -306,9 +305,7 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
             (" .cell:hover text", "visibility:visible"),
             (":has(.cell:hover) .prompt", "visibility:hidden"),
             (" .edge", "stroke-width:1.8"),
-            (" .across", "stroke-width:1;opacity:.4"),
             (" :is(.edge,.halo)", "pointer-events:none"),
-            (" .cell .hatch", &format!("fill:url(#{id}-hatch)")),
         ]);
         css += &format!("@media print {{ .{id} .prompt {{visibility:hidden}} }}\n");
     }

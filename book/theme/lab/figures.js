@@ -1,6 +1,7 @@
 // One step of a method taken apart: the reader moves the start and the step, and sees the parts of
 // the step, its end beside the true motion's, and what becomes of a square. And the level curve of
-// symplectic Euler's H̃, built term by term under a slider, with the points of the method.
+// symplectic Euler's modified energy, built term by term under a slider, with the points of the
+// method.
 'use strict';
 
 // Numbered as in book/curves/src/parts.rs.
@@ -13,8 +14,13 @@ const START = { theta: -1.2, omega: 1 };
 // The side of the square (rad), and the pieces of each of its sides.
 const SIDE = 0.3;
 const SIDE_PIECES = 24;
-// RK4's slopes are drawn a quarter of a step long, as the still figure has them.
+// RK4's slopes are drawn a quarter of a step long, each is followed from the start for a time, and
+// the step is their average, as the still figure has them: shares of the step and their names.
 const SHARE = 0.25;
+const FOLLOWED = ['h/2', 'h/2', 'h'];
+const WEIGHTS = [1 / 6, 1 / 3, 1 / 3, 1 / 6];
+const AVERAGED = ['h/6', 'h/3', 'h/3', 'h/6'];
+const HEADINGS = ['Where each slope is taken', 'How they are averaged'];
 
 const signed = (x, digits) => x.toFixed(digits).replace('-', '−');
 
@@ -24,9 +30,23 @@ figures.stencil = class extends Moved {
         this.method = library.method(spot.dataset.method);
         this.first = { ...START, h: Number(spot.dataset.step) };
         this.scene = { ...this.first };
-        const { svg, width, height } = this;
-        const box = [38, 93, width - 20, height - 56];
-        this.plane = new Plane(svg, this.name, box, NEAR);
+        // The frames of the still figure: one, or for several slopes two.
+        const axes = [...spot.querySelectorAll('figure > svg .axis')];
+        const frames = axes.map(axis => axis.getAttribute('d').match(/[\d.]+/g).slice(0, 4));
+        this.planes = frames.map((frame, i) => {
+            const [left, top, bottom, right] = frame.map(Number);
+            const named = { theta: i === frames.length - 1, omega: true };
+            if (frames.length > 1)
+                this.svg.append(words(HEADINGS[i], { x: left, y: top - 42 }));
+            return new Plane(
+                this.svg,
+                `${this.name}-${i}`,
+                [left, top, right, bottom],
+                NEAR,
+                named,
+            );
+        });
+        [this.plane] = this.planes;
         this.start = handle(
             this.plane,
             'Start of the step: the arrow keys move it',
@@ -74,7 +94,7 @@ figures.stencil = class extends Moved {
     view(wide) {
         this.wide.setAttribute('aria-pressed', wide);
         const { theta, omega } = wide ? WIDE : NEAR;
-        this.plane.frame(theta, omega);
+        for (const plane of this.planes) plane.frame(theta, omega);
         // The start has to be in sight.
         const { scene, plane } = this;
         const [x, y] = [plane.x(scene.theta), plane.y(scene.omega)];
@@ -92,7 +112,9 @@ figures.stencil = class extends Moved {
     }
 
     show() {
-        const { library, method, plane, scene } = this;
+        const { library, method, planes, scene } = this;
+        // The last shows the step as a whole.
+        const plane = planes.at(-1);
         library.scene(method, scene);
         const start = Float64Array.of(scene.theta, scene.omega);
         const parts = this.parts();
@@ -102,11 +124,16 @@ figures.stencil = class extends Moved {
             image = library.carried(square, 1);
         const ratio = library.area(image) / library.area(square);
         const orbit = library.orbit(scene, 401);
-        plane.clear();
-        plane.curve(orbit);
+        for (const each of planes) {
+            each.clear();
+            each.curve(orbit);
+        }
         plane.curve(square, { filled: true, thin: true });
         plane.curve(image, { method, filled: true, thin: true });
-        this.draw(parts, start, truth);
+        if (planes.length > 1) {
+            this.drawSlopes(parts, start, truth);
+            this.drawAverage(parts, start);
+        } else this.drawParts(parts, truth);
         this.tell(image, ratio);
         plane.markers(truth);
         plane.markers([...start, ...end], method);
@@ -127,43 +154,78 @@ figures.stencil = class extends Moved {
     }
 
     entries() {
-        const { method, scene } = this;
+        const { method, planes, scene } = this;
         const own = colour(method);
         const ring = 'M18,0m-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z';
-        this.legend([
+        const arrow = 'M0,0h36m-10,-5l10,5 -10,5';
+        const slopes = [
+            ['followed from the start', arrow, `line ${own}`],
+            ['a slope', arrow, `line bold ${own}`],
+        ];
+        const step = [
             ['true orbit', 'M0,0h36', 'line'],
             [method.title, `M18,0${look(method).marker}`, `dot ${own}`],
+        ];
+        const ends = [
             [`true motion after ${scene.h} s`, ring, 'dot'],
             ['a square, and its image', 'M4,-7h28v14h-28z', `line fill thin ${own}`],
-        ]);
+        ];
+        if (planes.length > 1) this.legend([...step, ...slopes], ends, planes[1].top - 90);
+        else this.legend([...step, ...ends]);
     }
 
-    // Above the square's image, or below it where there is no room, how large it is.
+    // Above the square's image, or below it where there is no room, how large it is. Above that of
+    // several slopes there is the name of the last.
     tell(image, ratio) {
-        const { plane } = this;
+        const plane = this.planes.at(-1);
         const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
         const x = plane.x((Math.min(...xs) + Math.max(...xs)) / 2);
         const above = plane.y(Math.max(...ys)) - 8,
             below = plane.y(Math.min(...ys)) + 22;
-        const y = above > plane.top + 16 ? above : below;
+        const low = this.planes.length > 1 && below < plane.bottom - 6;
+        const y = !low && above > plane.top + 16 ? above : below;
         if (x > plane.left && x < plane.right && y > plane.top && y < plane.bottom)
             plane.note(x, y, `area × ${ratio.toFixed(3)}`, 'middle');
     }
 
-    draw(parts, start, truth) {
+    // Kicks and drifts, or a slope that is followed to the end.
+    drawParts(parts, truth) {
         const { method, plane } = this;
-        const slopes = parts.filter(({ kind }) => kind === SLOPE).length;
-        parts.forEach(({ kind, share, from, to }, i) => {
-            if (kind !== SLOPE) {
-                const part = { 1: '', 0.5: '½ ' }[share] ?? `${share.toFixed(2)} `;
-                plane.arrow(from, to, method, part + NAMES[kind], truth[0]);
-            } else if (slopes === 1) {
-                plane.arrow(from, to, method, 'tangent', truth[0]);
-            } else {
-                if (i > 0) plane.curve([...start, ...from], { dash: '2 4', thin: true });
-                const tip = from.map((value, k) => value + SHARE * (to[k] - value));
-                plane.arrow(from, tip, method, `k_{${i + 1}}`, truth[0]);
-            }
+        for (const { kind, share, from, to } of parts) {
+            const part = { 1: '', 0.5: '½ ' }[share] ?? `${share.toFixed(2)} `;
+            const name = kind === SLOPE ? 'tangent' : part + NAMES[kind];
+            plane.arrow(from, to, method, name, { taken: truth[0] });
+        }
+    }
+
+    // Where each slope is taken: the one before has led there from the start.
+    drawSlopes(parts, start, truth) {
+        const { method, plane } = this,
+            taken = truth[0];
+        parts.slice(1).forEach(({ from }, i) => {
+            // The name of the first stands beyond the arrow of the slope.
+            const how = i ? { low: true } : { taken, along: 0.75 };
+            plane.arrow(start, from, method, `k_{${i + 1}} ${FOLLOWED[i]}`, how);
+        });
+        parts.forEach(({ from, to }, i) => {
+            const tip = from.map((value, k) => value + SHARE * (to[k] - value));
+            const how = { taken, along: 1, ahead: i > 0, bold: true };
+            plane.arrow(from, tip, method, `k_{${i + 1}}`, how);
+        });
+        plane.markers(start, method);
+    }
+
+    // The slopes one after the other, each for its share of the step.
+    drawAverage(parts, start) {
+        const { method } = this,
+            plane = this.planes.at(-1);
+        let at = [...start];
+        parts.forEach(({ from, to }, i) => {
+            const next = at.map((value, k) => value + WEIGHTS[i] * (to[k] - from[k]));
+            // The last ends where the step does: its name stands where there is more room.
+            const how = i < 3 ? { low: true } : { along: 0 };
+            plane.arrow(at, next, method, `k_{${i + 1}} ${AVERAGED[i]}`, how);
+            at = next;
         });
     }
 
@@ -198,7 +260,7 @@ figures.tilted = class extends Moved {
     lay() {
         const sliders = [
             this.slider('h', 'Step h', 's', { from: 0.02, to: 0.4, by: 0.01 }),
-            this.slider('order', 'Terms of H̃', '', { from: 0, to: 7, by: 1 }),
+            this.slider('order', 'Terms', '', { from: 0, to: 7, by: 1 }),
             this.slider('steps', 'Steps taken', '', { from: 0, to: 200, by: 1 }),
             this.slider('theta', 'Released from', 'rad', { from: 0.2, to: 2.6, by: 0.1 }),
         ];
@@ -233,14 +295,13 @@ figures.tilted = class extends Moved {
         plane.markers(points, method);
         this.entries();
         const lost = curve.some(Number.isNaN);
-        const terms = order === 1 ? '1 term' : `${order} terms`;
         this.strays.textContent =
             `Over these steps H strays from its start by up to ${measured(off[0])} J` +
             (order === 0
                 ? '.'
                 : lost
-                  ? `; with ${terms} the curve of H̃ leaves the well and does not close.`
-                  : `, and H̃ with ${terms} by up to ${measured(off[1])} J.`);
+                  ? '; the level curve of the modified energy leaves the well, and does not close.'
+                  : `, and the modified energy by up to ${measured(off[1])} J.`);
     }
 
     entries() {
@@ -250,7 +311,7 @@ figures.tilted = class extends Moved {
         this.legend([
             ['true orbit, H', 'M0,0h36', 'line'],
             [`${method.title}, h = ${scene.h} s`, `M18,0${look(method).marker}`, `dot ${own}`],
-            ...(scene.order ? [[`H̃, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
+            ...(scene.order ? [[`modified energy, ${terms}`, 'M0,0h36', 'line', '7 4']] : []),
         ]);
     }
 };

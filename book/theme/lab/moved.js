@@ -109,12 +109,17 @@ class Moved {
         this.spot.classList.add('on');
     }
 
-    // Sets the entries of the legend, in rows of two: [text, path, class, dash].
-    legend(rows) {
+    // Sets the entries of the legend, two to a row: [text, path, class, dash]; those of a second
+    // chart stand above it, at this height.
+    legend(first, second = [], height = 0) {
         const group = drawn('g', { class: 'legend' });
-        rows.forEach(([text, d, classes, dash = ''], i) => {
-            const x = i % 2 ? this.width / 2 - 10 : 1,
-                y = 13 + 25 * Math.floor(i / 2);
+        const place = (entry, i, from) => ({ entry, i, y: from + 25 * Math.floor(i / 2) });
+        const all = [
+            ...first.map((entry, i) => place(entry, i, 13)),
+            ...second.map((entry, i) => place(entry, i, height)),
+        ];
+        all.forEach(({ entry: [text, d, classes, dash = ''], i, y }) => {
+            const x = i % 2 ? this.width / 2 - 10 : 1;
             group.append(
                 drawn('path', {
                     class: classes,

@@ -154,8 +154,10 @@ class Plane {
         return made;
     }
 
-    // An arrow with its name beside it.
-    arrow([theta, omega], [theta1, omega1], method, name, taken = -Infinity) {
+    // An arrow with its name beside its middle, or, if that is `low`, below a point `along` it; or
+    // `ahead` of its tip.
+    arrow([theta, omega], [theta1, omega1], method, name, how = {}) {
+        const { taken = -Infinity, along = 0.5, bold = false, low = false, ahead = false } = how;
         const [x, y, x1, y1] = [this.x(theta), this.y(omega), this.x(theta1), this.y(omega1)];
         const length = Math.hypot(x1 - x, y1 - y);
         if (!(length < 1e6)) return;
@@ -165,7 +167,7 @@ class Plane {
         const [bx, by] = [x1 - ux * head, y1 - uy * head];
         this.curves.append(
             drawn('path', {
-                class: `line ${colour(method)}`,
+                class: `line ${bold ? 'bold ' : ''}${colour(method)}`,
                 d: `M${short(x)},${short(y)}L${short(bx)},${short(by)}`,
             }),
             drawn('path', {
@@ -176,25 +178,27 @@ class Plane {
                     `L${short(bx + uy * wide)},${short(by - ux * wide)}z`,
             }),
         );
-        // Beside an upright arrow, on the left where there is room and the right is `taken`,
-        // and above one that goes across.
-        const upright = Math.abs(uy) > 0.7;
         const place = (value, from, to) => Math.min(Math.max(value, from), to);
-        const middle = [(x + x1) / 2, (y + y1) / 2];
+        const at = [x + along * (x1 - x), y + along * (y1 - y)];
         const inside =
-            middle[0] > this.left &&
-            middle[0] < this.right &&
-            middle[1] > this.top &&
-            middle[1] < this.bottom;
+            at[0] > this.left && at[0] < this.right && at[1] > this.top && at[1] < this.bottom;
         // One that is short, or outside the frame, has no name.
         if (!inside || length < 1.5 * HEAD) return;
-        const left = upright && this.x(taken) > middle[0] && middle[0] > this.left + 80;
-        this.note(
-            middle[0] + (upright ? (left ? -10 : 10) : 0),
-            place(middle[1] + (upright ? 5 : -9), this.top + 16, this.bottom - 6),
-            name,
-            upright ? (left ? 'end' : 'start') : 'middle',
-        );
+        const note = (dx, dy, anchor) => {
+            const [y, from, to] = [at[1] + dy, this.top + 16, this.bottom - 6];
+            this.note(at[0] + dx, place(y, from, to), name, anchor);
+        };
+        if (ahead) return note(18 * ux, 18 * uy + 6, 'middle');
+        if (low) {
+            const side = Math.sign(ux) || 1,
+                [dx, dy] = [-side * uy, side * ux];
+            return note(9 * dx, 6 + 16 * dy, dx > 0.2 ? 'start' : dx < -0.2 ? 'end' : 'middle');
+        }
+        // Beside an upright arrow, on the left where there is room and the right is `taken`,
+        // and above one that goes across.
+        if (Math.abs(uy) <= 0.7) return note(0, -9, 'middle');
+        const left = this.x(taken) > at[0] && at[0] > this.left + 80;
+        note(left ? -10 : 10, 5, left ? 'end' : 'start');
     }
 
     note(x, y, text, anchor = 'start') {

@@ -21,6 +21,7 @@ pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;
 pub mod truncation;
+pub mod varying_steps;
 pub mod work;
 
 use pendula::metrics::EnergyDrift;

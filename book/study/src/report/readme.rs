@@ -164,7 +164,8 @@ fn draw_fixed(out: &mut String, row: &Row, left: f64, portrait: Portrait) {
     draw_text(out, "small", (middle + 9.0, PORTRAIT.1 + 12.0), "middle", "ω");
     if portrait.enlarged > 1.0 {
         let corner = (middle - 0.5 * PORTRAIT_WIDTH + 6.0, PORTRAIT.1 + 16.0);
-        draw_text(out, "small", corner, "start", &format!("{} ×", portrait.enlarged));
+        let label = format!("enlarged {}×", portrait.enlarged);
+        draw_text(out, "small", corner, "start", &label);
     }
     let motion = Motion::new(&Pendulum::PAPER, Phase::at_rest(THETA_0)).expect("a finite angle");
     let period = motion.period().expect("it swings");

@@ -7,9 +7,8 @@ use crate::charts::{Axis, Cell, Chart, Figure, Fill, Map, Name};
 use crate::digits::Digits;
 use crate::experiments::{MethodRef, PaperMethod, Study, choosing};
 
-/// Unless the second best needs more evaluations than the best by this share of them, none is said
-/// to be ahead.
-const TIE: f64 = 0.25;
+/// A method will do where it needs at most this share more evaluations than the best.
+const MARGIN: f64 = 0.5;
 
 /// Half-way between neighbours on a logarithmic axis, and as far beyond the first and the last as
 /// they are from their neighbours.
@@ -23,66 +22,82 @@ fn edges(values: &[f64]) -> Vec<f64> {
     edges
 }
 
-/// How many more evaluations the second best needs, as a share of those of the best.
-fn lead(ranking: &[choosing::Advice]) -> Option<f64> {
-    let evaluations = |place: usize| ranking.get(place).map(|advice| advice.evaluations as f64);
-    let best = evaluations(0)?;
-    Some(evaluations(1).map_or(f64::INFINITY, |second| second / best - 1.0))
+/// Those that will do in a cell.
+fn able(cell: &choosing::Cell) -> impl Iterator<Item = &choosing::Advice> {
+    let best = cell.ranking.first().map_or(0.0, |best| best.evaluations as f64);
+    cell.ranking.iter().take_while(move |it| it.evaluations as f64 <= (1.0 + MARGIN) * best)
 }
 
-/// The methods that are ahead in a cell, in the order of the library.
-fn winners(map: &[choosing::Cell]) -> Vec<MethodRef> {
-    let is_ahead = |method: &MethodRef| {
-        let clear = map.iter().filter(|cell| lead(&cell.ranking).is_some_and(|lead| lead >= TIE));
-        clear.map(|cell| cell.ranking[0].method).any(|best| title(best) == title(*method))
+/// Few methods of which one will do in each cell: that which will do in most cells, then that which
+/// will do in most of the others, and so on.
+fn few(map: &[choosing::Cell]) -> Vec<MethodRef> {
+    let will_do = |cell: &choosing::Cell, method: MethodRef| {
+        able(cell).any(|advice| title(advice.method) == title(method))
     };
-    METHODS.iter().copied().filter(is_ahead).collect()
+    let mut left: Vec<&choosing::Cell> =
+        map.iter().filter(|cell| !cell.ranking.is_empty()).collect();
+    let mut few = Vec::new();
+    while !left.is_empty() {
+        let count = |method: &MethodRef| left.iter().filter(|cell| will_do(cell, *method)).count();
+        // The first of equals.
+        let next = METHODS.iter().copied().rev().max_by_key(count).expect("methods");
+        left.retain(|cell| !will_do(cell, next));
+        few.push(next);
+    }
+    few
 }
 
-/// What stands on the map where a cell is: the names are those of the winners, that of ties, and
-/// that of no method at all.
-fn cell(winners: &[MethodRef], cell: &choosing::Cell) -> Cell {
+/// What stands on the map where a cell is. The names are those of the few methods in the order of
+/// the `names`, and that of no method at all.
+fn cell(few: &[MethodRef], names: &[MethodRef], cell: &choosing::Cell) -> Cell {
     let periods = if cell.periods == 1 { "period" } else { "periods" };
     let allowed = Digits::Scientific(2).print(cell.allowed);
     let place = format!("{} {periods} to {allowed} rad", cell.periods);
-    let Some((best, lead)) = cell.ranking.first().zip(lead(&cell.ranking)) else {
-        let says = ["Lost in rounding".into(), place];
-        return Cell { name: winners.len() + 1, number: None, says };
+    let same =
+        |advice: &choosing::Advice, method: &MethodRef| title(advice.method) == title(*method);
+    let of = |method| able(cell).find(|advice| same(advice, method));
+    let Some(taken) = few.iter().find_map(of) else {
+        return Cell { name: names.len(), number: None, says: ["Lost in rounding".into(), place] };
     };
-    let ahead = winners.iter().position(|winner| title(*winner) == title(best.method));
-    let name = ahead.filter(|_| lead >= TIE);
-    let second = cell.ranking.get(1).map_or("no other can".into(), |second| {
-        format!("{} needs {:.0} % more", title(second.method), 100.0 * lead)
+    let name = names.iter().position(|method| same(taken, method)).expect("one of the few");
+    let (steps, evaluations) = (taken.steps, taken.evaluations);
+    let other = cell.ranking.iter().find(|advice| !same(advice, &taken.method));
+    let other = other.map_or("no other can".into(), |other| {
+        let part = 100.0 * (other.evaluations as f64 / evaluations as f64 - 1.0);
+        let word = if part < 0.0 { "less" } else { "more" };
+        format!("{} needs {:.0} % {word}", title(other.method), part.abs())
     });
-    let (steps, evaluations) = (best.steps, best.evaluations);
     let says = [
-        format!("{}, {steps} steps a period, {evaluations} evaluations", title(best.method)),
-        format!("{place}; {second}"),
+        format!("{}, {steps} steps a period, {evaluations} evaluations", title(taken.method)),
+        format!("{place}; {other}"),
     ];
-    Cell { name: name.unwrap_or(winners.len()), number: name.map(|_| steps), says }
+    Cell { name, number: Some(steps), says }
 }
 
-/// The regions in which each of the methods is the cheapest.
+/// The regions in which each of a few methods will do.
 pub(super) fn decision(_: &Study, figure: Figure) -> Figure {
     let map = choosing::map();
-    let winners = winners(&map);
+    let few = few(&map);
+    let mut ordered = few.clone();
+    let place = |method: &MethodRef| METHODS.iter().position(|it| title(*it) == title(*method));
+    ordered.sort_by_key(place);
     let (x, y) =
         (edges(&choosing::PERIODS.map(|periods| periods as f64)), edges(&choosing::allowed()));
-    let named = winners.iter().enumerate();
+    let named = ordered.iter().enumerate();
     let named = named.map(|(i, method)| (title(*method), Fill::Colour(i)));
-    let others = [("no clear winner", Fill::Hatch), ("lost in rounding", Fill::Paper)];
-    let names = named.chain(others).map(|(title, fill)| Name { title: title.into(), fill });
+    let lost = ("lost in rounding", Fill::Paper);
+    let names = named.chain([lost]).map(|(title, fill)| Name { title: title.into(), fill });
     let ends = |edges: &[f64]| (edges[0], edges[edges.len() - 1]);
     let ((shortest, longest), (largest, smallest)) = (ends(&x), ends(&y));
     let prompt = [
         "A tap on a cell, or a mouse that rests there, shows here",
-        "its steps, its evaluations, and what the second best needs.",
+        "its steps, its evaluations, and what the best other method needs.",
     ];
     let regions = Map {
         x,
         y,
         names: names.collect(),
-        cells: map.iter().map(|place| cell(&winners, place)).collect(),
+        cells: map.iter().map(|place| cell(&few, &ordered, place)).collect(),
         unit: "steps".into(),
         prompt: prompt.map(String::from),
     };

@@ -3,7 +3,7 @@
 
 use pendula::exact::Motion;
 use pendula::methods::{ForestRuth, Rk4, Splitting, StormerVerlet, Suzuki4};
-use pendula::{AnyMethod, Grid, METHODS, Method, Pendulum, Phase};
+use pendula::{AnyMethod, Grid, METHODS, Method, Pendulum, Phase, System};
 
 use super::{named, phase_plane, style, title};
 use crate::charts::{Axis, Chart, Figure, Style};
@@ -53,11 +53,18 @@ where
     Parts::of(method, &PENDULUM, start, h, along).expect("no more parts than can be drawn")
 }
 
-/// The true orbit and the ends of the step; the parts of the step are drawn over it.
-fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
-    phase_plane((-1.6, 1.6), (0.0, 5.0))
-        .height(320.0)
-        .series("true orbit", Style::REFERENCE, truth(START, period_of(START)))
+/// The true orbit; the parts of the step are drawn over it.
+fn orbit() -> Chart {
+    phase_plane((-1.6, 1.6), (0.0, 5.0)).height(320.0).series(
+        "true orbit",
+        Style::REFERENCE,
+        truth(START, period_of(START)),
+    )
+}
+
+/// With the ends of the step, and where the true motion is then.
+fn with_ends(chart: Chart, method: MethodRef, step: f64, end: Phase) -> Chart {
+    chart
         .series(
             format!("true motion after {step} s"),
             Style::TRUE_POINT,
@@ -66,27 +73,27 @@ fn over_the_orbit(method: MethodRef, step: f64, end: Phase) -> Chart {
         .series(title(method), style(method).markers_only(), [point(START), point(end)])
 }
 
-/// The chart with the parts of a step as arrows and their names beside them: kicks and drifts of a
-/// step of [`STEP`], or slopes by their number.
-fn with_arrows(
-    chart: Chart,
-    method: MethodRef,
-    parts: Parts<Phase>,
-    slope: impl Fn(usize) -> String,
-) -> Chart {
-    parts.in_order().enumerate().fold(chart, |chart, (i, part)| {
+/// A point of an arrow, after this share of it.
+fn between(from: Phase, to: Phase, share: f64) -> (f64, f64) {
+    let at = |from: f64, to: f64| from + share * (to - from);
+    (at(from.theta, to.theta), at(from.omega, to.omega))
+}
+
+/// The chart with the parts of a step of [`STEP`] as arrows, and their names beside them.
+fn with_arrows(chart: Chart, method: MethodRef, parts: Parts<Phase>) -> Chart {
+    parts.in_order().fold(chart, |chart, part| {
         let share = |kind: &str| match part.duration / STEP {
             1.0 => kind.to_string(),
             0.5 => format!("½ {kind}"),
             share => format!("{share:.2} {kind}"),
         };
         let name = match part.kind {
-            Kind::Slope => slope(i + 1),
+            Kind::Slope => "tangent".into(),
             Kind::Kick => share("kick"),
             Kind::Drift => share("drift"),
         };
         let (from, to) = (part.from, part.to);
-        let (theta, omega) = (0.5 * (from.theta + to.theta), 0.5 * (from.omega + to.omega));
+        let (theta, omega) = between(from, to, 0.5);
         chart.series("", style(method).arrow(), [from, to].map(point)).note(theta, omega, name)
     })
 }
@@ -97,20 +104,51 @@ where
     M: AnyMethod + for<'a> Method<Noting<'a, Pendulum>>,
 {
     let parts = parts(method, START, STEP, STEP);
-    let chart = over_the_orbit(method, STEP, parts.end);
-    with_arrows(chart, method, parts, |_| "tangent".into())
+    let chart = with_ends(orbit(), method, STEP, parts.end);
+    with_arrows(chart, method, parts)
 }
 
+/// RK4's step in two charts: where each slope is taken, and their average.
 pub(super) fn stencil_rk4(_: &Study, figure: Figure) -> Figure {
-    /// How long the arrows are, as a share of the step.
+    /// How long the arrow of a slope is, as a share of the step.
     const SHARE: f64 = 0.25;
+    /// What part of the step each slope is followed for in the end, with its name.
+    const WEIGHTS: [(f64, &str); 4] =
+        [(1.0 / 6.0, "h/6"), (1.0 / 3.0, "h/3"), (1.0 / 3.0, "h/3"), (1.0 / 6.0, "h/6")];
     let method: MethodRef = &Rk4;
+    let (arrow, name) = (style(method).arrow(), |i: usize| format!("k_{{{}}}", i + 1));
     let parts = parts(&Rk4, START, RK4_STEP, SHARE * RK4_STEP);
-    let mut chart = over_the_orbit(method, RK4_STEP, parts.end);
-    for slope in parts.in_order().skip(1) {
-        chart = chart.series("", Style::GUIDE, [START, slope.from].map(point));
+    let slopes: Vec<_> = parts.in_order().collect();
+
+    let mut places = orbit().height(300.0).heading("Where each slope is taken");
+    for (i, slope) in slopes.iter().enumerate().skip(1) {
+        // The name of the first stands beyond the arrow of the slope.
+        let (time, along) = [("h/2", 0.75), ("h/2", 0.5), ("h", 0.5)][i - 1];
+        let (theta, omega) = between(START, slope.from, along);
+        places = places
+            .series("followed from the start", arrow, [START, slope.from].map(point))
+            .note(theta, omega, format!("{} {time}", name(i - 1)));
     }
-    figure.panel(with_arrows(chart, method, parts, |i| format!("k_{{{i}}}")))
+    for (i, slope) in slopes.iter().enumerate() {
+        let line = [slope.from, slope.to].map(point);
+        places = places.series("a slope", arrow.bold(), line).note(line[1].0, line[1].1, name(i));
+    }
+    places = places.series(title(method), style(method).markers_only(), [point(START)]);
+
+    let mut average = orbit().height(240.0).heading("How they are averaged");
+    let mut at = START;
+    for (i, (slope, (weight, time))) in slopes.iter().zip(WEIGHTS).enumerate() {
+        let to = at + PENDULUM.rate(0.0, slope.from) * (weight * RK4_STEP);
+        // The last ends where the step does: its name stands where there is more room.
+        let (theta, omega) = between(at, to, if i < 3 { 0.5 } else { 0.0 });
+        average = average.series("", arrow, [at, to].map(point)).note(
+            theta,
+            omega,
+            format!("{} {time}", name(i)),
+        );
+        at = to;
+    }
+    figure.panel(places).panel(with_ends(average, method, RK4_STEP, parts.end))
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -329,8 +367,8 @@ pub(super) fn tilted_curve(_: &Study, figure: Figure) -> Figure {
     let label = format!("{}, h = {} s", title(run.method), run.step);
     let curves = [
         ("true orbit, H", Style::REFERENCE),
-        ("H̃, one term", Style::GUIDE),
-        ("H̃, 7 terms", Style::REFERENCE.dashed()),
+        ("one term", Style::GUIDE),
+        ("modified energy, 7 terms", Style::REFERENCE.dashed()),
     ];
     figure.panel(followed(run, (1.3, 3.6), curves, &label).height(330.0))
 }

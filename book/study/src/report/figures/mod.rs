@@ -113,6 +113,7 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "truncation", draw: evidence::truncation },
     Drawing { name: "least_change", draw: evidence::least_change },
     Drawing { name: "widths", draw: evidence::widths },
+    Drawing { name: "varying_steps", draw: beyond::varying_steps },
     Drawing { name: "poincare", draw: beyond::poincare },
     Drawing { name: "separation", draw: beyond::separation },
     Drawing { name: "kapitza", draw: beyond::kapitza },

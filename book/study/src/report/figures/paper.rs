@@ -97,11 +97,9 @@ pub(super) fn figure_5(_: &Study, figure: Figure) -> Figure {
     // Each label stands where its own orbit has room beside it.
     for (theta_0, label_at) in level_curves::PORTRAIT.into_iter().zip([0.5, 1.5, -2.5]) {
         let points = level_curves::portrait(rk4, theta_0).into_iter().map(|z| (z.theta, z.omega));
-        chart = chart.series(title(rk4), style(rk4).line_only().solid(), points).note(
-            label_at,
-            0.0,
-            format!("{theta_0} rad"),
-        );
+        chart = chart
+            .series("swings, computed step by step", style(rk4).line_only().solid(), points)
+            .note(label_at, 0.0, format!("{theta_0} rad"));
     }
     figure.panel(chart)
 }
