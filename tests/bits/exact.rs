@@ -107,19 +107,6 @@ fn motions() -> u64 {
     hash.value()
 }
 
-/// The motion at many times, by its Fourier series.
-fn series() -> u64 {
-    let mut hash = Hash::new();
-    let times: Vec<f64> = (1..=300).map(|n| 100.0 * signed(n)).collect();
-    for start in (1..=100).map(start) {
-        let motion = Motion::new(&pendulum(), start).expect("a start in range");
-        let mut states = vec![Phase::default(); times.len()];
-        motion.at_each(&times, &mut states);
-        states.into_iter().for_each(|z| hash.add_state(z));
-    }
-    hash.value()
-}
-
 /// What is measured along a run of Störmer–Verlet.
 fn metrics() -> u64 {
     let (pendulum, start) = (pendulum(), Phase::at_rest(2.5));
@@ -152,7 +139,7 @@ fn metrics() -> u64 {
 }
 
 /// A line for each.
-pub fn lines() -> [(&'static str, u64); 8] {
+pub fn lines() -> [(&'static str, u64); 7] {
     [
         ("sine", of_each(SAMPLES, |n| [sin(angle(n))])),
         ("cosine", of_each(SAMPLES, |n| [cos(angle(n))])),
@@ -163,7 +150,6 @@ pub fn lines() -> [(&'static str, u64); 8] {
         ("elliptic integral K", of_each(SAMPLES, |n| [complete_elliptic_k(share(n) * small(n))])),
         ("periods", of_each(SAMPLES, |n| swing(4.0 * PI * signed(n) * small(n)))),
         ("exact motion", motions()),
-        ("exact motion by its series", series()),
         ("metrics", metrics()),
     ]
 }
