@@ -4,13 +4,14 @@ use std::f64::consts::PI;
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
-use pendula::systems::{Ellipse, Joint, PlanePhase};
+use pendula::systems::Joint;
 use pendula::{
-    Components, Damped, DoublePendulum, Driven, Error, Grid, Kepler, LinearOscillator, Method,
-    Pendulum, Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
+    Components, Damped, DoublePendulum, Driven, Error, Grid, LinearOscillator, Method, Pendulum,
+    Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{Stroboscope, largest_exponent, period_doubling, periodic_orbit};
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::Hash;
 

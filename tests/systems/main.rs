@@ -10,3 +10,4 @@ mod driven;
 mod dynamics;
 mod kepler;
 mod shaken;
+mod symmetric_steps;

@@ -40,15 +40,3 @@ pub use lyapunov::{Exponent, largest_exponent};
 pub use root::root;
 pub use stroboscope::Stroboscope;
 pub use variation::{Bundle, Variational};
-
-use pendula::Error;
-
-/// The error of a count that is less than `least`.
-fn at_least(
-    least: f64,
-    name: &'static str,
-    value: f64,
-    allowed: &'static str,
-) -> Result<(), Error> {
-    if value >= least { Ok(()) } else { Err(Error::Parameter { name, value, allowed }) }
-}

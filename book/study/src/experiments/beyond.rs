@@ -8,15 +8,14 @@ use core::f64::consts::{PI, SQRT_2};
 
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
-use pendula::systems::{
-    DoublePendulum, DoublePhase, Driven, Ellipse, Joint, Kepler, Mathieu, PlanePhase, Shaken,
-};
+use pendula::systems::{DoublePendulum, DoublePhase, Driven, Joint, Mathieu, Shaken};
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
 use pendula_curves::dynamics::floquet::{PeriodicOrbit, monodromy};
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{
     Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
 };
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::digits::Digits;
 use crate::theory::other_systems::{a0, b1, verlet_precession};
