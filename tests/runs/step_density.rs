@@ -38,8 +38,8 @@ fn with_a_constant_density_it_is_stormer_verlet() {
 
 /// 100 s forward, 100 back. Only rounding keeps the bob from returning to the start exactly: 4000
 /// steps each way, with an ε each of numbers up to ω = 2ω₀ sin 1 = 3.3. As an error of the energy
-/// shifts the bob along its path for all the time that is left, that is 4000 · 8000 · ε · 3.3 · h at
-/// worst, with steps of 0.025 s: 6e-10.
+/// shifts the bob along its path for all the time that is left, that is 4000 · 8000 · ε · 3.3 · h
+/// at worst, with steps of 0.025 s: 6e-10.
 ///
 /// Catches: a density updated from the past alone, or by a whole ε on one side; a way back that
 /// differs from the way there.

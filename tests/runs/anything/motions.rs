@@ -1,7 +1,7 @@
 //! The pendulum, its grid, its exact motion, and what is measured along it.
 
 use pendula::exact::{Swing, complete_elliptic_k, period};
-use pendula::metrics::order::{is_asymptotic, is_floor, slopes};
+use pendula::metrics::order::slopes;
 use pendula::metrics::{
     AngleError, CrossingPeriod, CrossingRule, EndError, EnergyDrift, Henon, Hermite, Linear,
     PeakPeriod, polygon_area,
@@ -159,8 +159,6 @@ pub fn metrics(any: &mut Any, tally: &mut Tally) {
         let positive = steps.iter().all(|h| *h > 0.0 && h.is_finite());
         assert!(!positive || slope.is_none_or(|slope| !slope.is_nan() || has_twins(&steps)));
     }
-    is_asymptotic(any.0.bits() as u32, errors[0], errors[1], floor);
-    is_floor(errors[0], floor, errors[1]);
 
     let (start, t) = (any.phase(), any.number());
     if let Some(error) = tally.accepted(EndError::new(&pendulum, start, t)) {
