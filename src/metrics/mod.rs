@@ -25,7 +25,7 @@ pub mod order;
 mod period;
 
 pub use errors::{AngleError, EndError, EnergyDrift};
-pub use period::{CrossingPeriod, CrossingRule, Henon, Hermite, Linear, PeakPeriod};
+pub use period::{CrossingPeriod, CrossingRule, Hermite, Linear, PeakPeriod};
 
 use crate::systems::Phase;
 

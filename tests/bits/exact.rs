@@ -6,9 +6,10 @@ use pendula::arithmetic::double_double::reduced_sine_cosine;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
 use pendula::metrics::{
-    AngleError, CrossingPeriod, EndError, EnergyDrift, Henon, Linear, PeakPeriod, polygon_area,
+    AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod, polygon_area,
 };
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
+use pendula_curves::dynamics::Henon;
 
 use crate::Hash;
 

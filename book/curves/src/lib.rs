@@ -1,6 +1,6 @@
 //! Curves and shapes in phase space, for the study and for the lab: the energy that symplectic
 //! Euler conserves, its level curves, polygons with their areas, and the parts of a step;
-//! [`kepler`], a planet and its ellipse; and [`dynamics`], the analysis of driven systems.
+//! [`kepler`], a planet and its ellipse; and [`dynamics`], the analysis of motions.
 //!
 //! Nothing is allocated, as the lab has no heap.
 #![no_std]

@@ -3,8 +3,8 @@
 use pendula::exact::{Swing, complete_elliptic_k, period};
 use pendula::metrics::order::slopes;
 use pendula::metrics::{
-    AngleError, CrossingPeriod, CrossingRule, EndError, EnergyDrift, Henon, Hermite, Linear,
-    PeakPeriod, polygon_area,
+    AngleError, CrossingPeriod, CrossingRule, EndError, EnergyDrift, Hermite, Linear, PeakPeriod,
+    polygon_area,
 };
 use pendula::{Grid, Hamiltonian, Motion, MotionKind, Observer, Pendulum, Phase, System};
 
@@ -178,7 +178,6 @@ fn has_twins(steps: &[f64]) -> bool {
 
 pub fn readings(any: &mut Any, tally: &mut Tally) {
     tally.computed += 1;
-    let pendulum = any.pendulum();
     let mut peaks = [PeakPeriod::default(), PeakPeriod::parabola()];
     fn crossing(rule: impl CrossingRule, samples: &[(f64, Phase)]) -> Option<f64> {
         let mut reading = CrossingPeriod::new(rule);
@@ -205,5 +204,4 @@ pub fn readings(any: &mut Any, tally: &mut Tally) {
     }
     crossing(Linear, &samples);
     crossing(Hermite, &samples);
-    crossing(Henon(&pendulum), &samples);
 }

@@ -1,5 +1,5 @@
-//! The analysis of driven systems: the long-term behaviour of a motion, and its response to small
-//! changes.
+//! The analysis of motions, above all of driven systems: their long-term behaviour, and their
+//! response to small changes.
 //!
 //! * [`linearised`]: systems that know the derivative of their rate of change.
 //! * [`variation`]: neighbours of a trajectory, by the variational equation.
@@ -8,6 +8,7 @@
 //!   their period.
 //! * [`lyapunov`]: how quickly neighbours separate, with an error bar.
 //! * [`mod@root`]: the zero of a function between two points.
+//! * [`crossing`]: when a motion crosses the bottom, by a last step that ends there.
 //!
 //! None of it is tied to one method: a method that can step the system can step the system with its
 //! neighbours.
@@ -27,6 +28,7 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 
+pub mod crossing;
 pub mod floquet;
 pub mod linearised;
 pub mod lyapunov;
@@ -34,6 +36,7 @@ pub mod root;
 pub mod stroboscope;
 pub mod variation;
 
+pub use crossing::Henon;
 pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
 pub use linearised::Linearised;
 pub use lyapunov::{Exponent, largest_exponent};
