@@ -5,11 +5,10 @@ use std::f64::consts::PI;
 use pendula::arithmetic::double_double::reduced_sine_cosine;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
-use pendula::metrics::{
-    AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod, polygon_area,
-};
+use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
 use pendula_curves::dynamics::Henon;
+use pendula_curves::shapes::area;
 
 use crate::Hash;
 
@@ -133,7 +132,7 @@ fn metrics() -> u64 {
     hash.add_all([energy.largest(), angle.root_mean_square(), angle.largest()]);
     let periods = [peak.period(), linear.period(), hermite.period(), henon.period()];
     periods.into_iter().for_each(|period| hash.add(period.expect("many periods")));
-    hash.add(polygon_area(&corners));
+    hash.add(area(corners));
     let end_error = EndError::new(&pendulum, start, grid.time(grid.steps()));
     hash.add(end_error.expect("a start in range").of(end));
     hash.value()

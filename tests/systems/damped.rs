@@ -2,12 +2,12 @@
 
 use approx::assert_abs_diff_eq;
 use pendula::methods::{Rk4, StormerVerlet};
-use pendula::metrics::polygon_area;
 use pendula::systems::Damped;
 use pendula::{
     AnyMethod, Error, Grid, Info, LinearOscillator, Method, Pendulum, Phase, Separable, System,
     integrate,
 };
+use pendula_curves::shapes;
 use rstest::rstest;
 
 use crate::common::{in_seconds, on};
@@ -145,11 +145,10 @@ fn kick_force_and_rate_agree(#[values(0.0, 1e-12, 0.2, 5.0)] beta: f64) {
 /// The area inside a curve of starts after the run, as a polygon of `corners` corners.
 fn area_after<M: Method<Damped>>(method: &M, damped: &Damped, grid: &Grid, corners: u32) -> f64 {
     let ring = (0..corners).map(|k| 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(corners));
-    let ends: Vec<Phase> = ring
+    let ends = ring
         .map(|turn| Phase { theta: 1.0 + 0.3 * turn.cos(), omega: 0.5 + 0.3 * turn.sin() })
-        .map(|start| integrate(damped, method, start, grid, &mut ()))
-        .collect();
-    polygon_area(&ends)
+        .map(|start| integrate(damped, method, start, grid, &mut ()));
+    shapes::area(ends)
 }
 
 /// With any step, Störmer–Verlet shrinks area by exp(−2βt): the two half kicks by exp(−βh) each,
@@ -184,16 +183,16 @@ fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
     let linear = LinearOscillator::new(Pendulum::new(5.0, 2.0, 3.0).unwrap());
     for shift in [0.0, 100.0] {
         let triangle = corners.map(|(theta, omega)| Phase { theta: theta + shift, omega });
-        assert_eq!(polygon_area(&triangle), 3.0);
+        assert_eq!(shapes::area(triangle), 3.0);
         let moved = triangle.map(|z| linear.exact(z, 1.7));
         // Coordinates of up to 160, rounded by ε/2 of themselves a few times, times edges of 4.
-        assert_abs_diff_eq!(polygon_area(&moved), 3.0, epsilon = 3e-15 * (1.0 + 160.0 * shift));
+        assert_abs_diff_eq!(shapes::area(moved), 3.0, epsilon = 3e-15 * (1.0 + 160.0 * shift));
         let [a, b, c] = triangle;
-        assert_eq!(polygon_area(&[a, c, b]), -3.0);
+        assert_eq!(shapes::area([a, c, b]), -3.0);
     }
     let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-    assert_eq!(polygon_area(&square.map(|(theta, omega)| Phase { theta, omega })), 1.0);
-    assert_eq!(polygon_area(&[]), 0.0);
+    assert_eq!(shapes::area(square.map(|(theta, omega)| Phase { theta, omega })), 1.0);
+    assert_eq!(shapes::area([]), 0.0);
 }
 
 /// Order against the linear equation; the damping is comparable to the frequency, so that friction

@@ -4,7 +4,6 @@ use pendula::exact::{Swing, complete_elliptic_k, period};
 use pendula::metrics::order::slopes;
 use pendula::metrics::{
     AngleError, CrossingPeriod, CrossingRule, EndError, EnergyDrift, Hermite, Linear, PeakPeriod,
-    polygon_area,
 };
 use pendula::{Grid, Hamiltonian, Motion, MotionKind, Observer, Pendulum, Phase, System};
 
@@ -152,7 +151,6 @@ pub fn metrics(any: &mut Any, tally: &mut Tally) {
     let root = angle.root_mean_square();
     assert!(count == 0 || root.is_nan() || root >= 0.0);
 
-    polygon_area(&states);
     let (steps, errors) = (any.numbers(5), any.numbers(5));
     let floor = any.number();
     for slope in slopes(&steps, &errors, floor) {
