@@ -94,7 +94,6 @@ pub fn systems_beyond(any: &mut Any, tally: &mut Tally) {
     let damped = tally.accepted(Damped::new(pendulum, any.number()));
     if let Some(damped) = damped {
         assert!((2.0 * damped.damping()).is_finite());
-        damped.small_swing(z, t);
         damped.power(z);
         damped.kick(z, any.number(), any.number());
         integrate(&damped, &StormerVerlet, z, &grid, &mut ());
