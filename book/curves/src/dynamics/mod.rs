@@ -9,6 +9,7 @@
 //! * [`lyapunov`]: how quickly neighbours separate, with an error bar.
 //! * [`mod@root`]: the zero of a function between two points.
 //! * [`crossing`]: when a motion crosses the bottom, by a last step that ends there.
+//! * [`mod@normal_modes`]: the small swings of a double pendulum.
 //!
 //! None of it is tied to one method: a method that can step the system can step the system with its
 //! neighbours.
@@ -32,6 +33,7 @@ pub mod crossing;
 pub mod floquet;
 pub mod linearised;
 pub mod lyapunov;
+pub mod normal_modes;
 pub mod root;
 pub mod stroboscope;
 pub mod variation;
@@ -40,6 +42,7 @@ pub use crossing::Henon;
 pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
 pub use linearised::Linearised;
 pub use lyapunov::{Exponent, largest_exponent};
+pub use normal_modes::{mode_shapes, normal_modes};
 pub use root::root;
 pub use stroboscope::Stroboscope;
 pub use variation::{Bundle, Variational};

@@ -13,7 +13,7 @@ use pendula::{Grid, Observer, Pendulum, Phase, integrate};
 use pendula_curves::dynamics::floquet::{PeriodicOrbit, monodromy};
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{
-    Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
+    Exponent, Stroboscope, largest_exponent, mode_shapes, period_doubling, periodic_orbit, root,
 };
 use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
@@ -384,7 +384,7 @@ fn upright_falls() -> Row {
 fn double_modes() -> [Row; 2] {
     let (pendulum, double) = (Pendulum::PAPER, equals());
     let square = |frequency: f64| frequency * frequency * pendulum.length() / pendulum.gravity();
-    let [slow, fast] = double.mode_shapes().map(|shape| {
+    let [slow, fast] = mode_shapes(&double).map(|shape| {
         square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
     });
     [
