@@ -9,8 +9,8 @@ use pendula_judge::properties::{near, pendulum};
 use pendula_study::dynamics::floquet::monodromy;
 use pendula_study::dynamics::lyapunov::Watch;
 use pendula_study::dynamics::{
-    Henon, Linearised, Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling,
-    periodic_orbit, root,
+    Henon, Linearised, Monodromy, PeriodicOrbit, Stroboscope, contraction, largest_exponent,
+    period_doubling, periodic_orbit, root,
 };
 
 use crate::common::Random;
@@ -359,4 +359,9 @@ fn scene(any: &mut Random) {
     );
     assert!(doubled.is_none_or(|at| !at.is_nan()));
     Henon(&driven).time(any.number(), phase(any), any.number(), phase(any));
+    if let Some(damped) = accepted(Damped::new(pendulum(), any.number()))
+        && let Some(driven) = accepted(Driven::new(damped, any.number(), any.number()))
+    {
+        assert!((0.0..=1.0).contains(&contraction(&driven)), "{driven:?}");
+    }
 }

@@ -39,7 +39,7 @@ pub mod stroboscope;
 pub mod variation;
 
 pub use crossing::Henon;
-pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
+pub use floquet::{Monodromy, PeriodicOrbit, contraction, period_doubling, periodic_orbit};
 pub use linearised::Linearised;
 pub use lyapunov::{Exponent, largest_exponent};
 pub use normal_modes::{mode_shapes, normal_modes};

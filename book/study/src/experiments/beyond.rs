@@ -10,7 +10,7 @@ use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
 use pendula::systems::{DoublePendulum, DoublePhase, Driven, Joint, Mathieu, Shaken};
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
-use pendula_curves::dynamics::floquet::{PeriodicOrbit, monodromy};
+use pendula_curves::dynamics::floquet::{PeriodicOrbit, contraction, monodromy};
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{
     Exponent, Stroboscope, largest_exponent, mode_shapes, period_doubling, periodic_orbit, root,
@@ -330,7 +330,7 @@ const fn row(
 
 fn driven() -> [Row; 4] {
     let [first, second] = doublings();
-    let contraction = Driven::taylor(first.strength).expect("a drive").contraction();
+    let contraction = contraction(&Driven::taylor(first.strength).expect("a drive"));
     let exponent = lyapunov();
     let taylor = |quantity, known, found: Doubling| Row {
         known: Some((known, Digits::Fixed(4))),
