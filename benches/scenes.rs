@@ -166,15 +166,6 @@ fn measure() {
     let times: Vec<f64> = (0..steps).map(|n| 0.037 * n as f64).collect();
     let time = median(steps, || times.iter().map(|t| exact.at(*t).theta).sum());
     table.row("the exact state at any time", "all steps", time, verlet);
-    let series = exact.series().expect("a short series");
-    let time = median(steps, || times.iter().map(|t| series.at(*t).theta).sum());
-    table.row("… by its series", "and the elliptic functions", time, verlet);
-    let mut states = vec![Phase::default(); times.len()];
-    let time = median(steps, || {
-        series.at_each(&times, black_box(&mut states));
-        states[0].theta
-    });
-    table.row("… at many times", "", time, verlet);
 
     println!("Medians of one run, {}; ns a step, or a state.\n", machine::instructions());
     table.print();

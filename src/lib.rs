@@ -113,8 +113,8 @@ pub use methods::{ForwardEuler, Info, MethodInfo, Rk4, StormerVerlet, Symplectic
 pub use registry::{AnyMethod, METHODS, method_named};
 pub use systems::{
     Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
-    Hamiltonian, Kepler, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State,
-    System, Vector,
+    Hamiltonian, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State, System,
+    Vector,
 };
 
 /// What the tests look at inside private modules.

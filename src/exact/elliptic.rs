@@ -144,14 +144,6 @@ impl Jacobi {
         }
     }
 
-    /// x = π K'/K, from which the nome is e⁻ˣ: π M(1, k')/M(1, k), for the `modulus` k that belongs
-    /// to k'.
-    pub(super) fn nome_exponent(&self, modulus: f64) -> DoubleDouble {
-        let mean = arithmetic_geometric_mean(DoubleDouble::new(modulus), |_, _, _| {});
-        let complementary_mean = DoubleDouble::HALF_PI / self.quarter_period;
-        DoubleDouble::HALF_PI.scaled(2.0) * complementary_mean / mean
-    }
-
     // ANCHOR: jacobi
     /// sn, cn and dn of `quarters` K, for |quarters| ≤ ½.
     ///

@@ -21,11 +21,9 @@
 //! ```
 
 pub(crate) mod elliptic;
-mod fourier;
 mod motion;
 
 pub use elliptic::complete_elliptic_k;
-pub use fourier::FourierSeries;
 pub use motion::{Motion, MotionKind};
 
 use crate::arithmetic::double_double::DoubleDouble;

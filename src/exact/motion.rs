@@ -20,7 +20,6 @@
 //! direction of growing θ, and [`Motion`] stores the sign of its `direction`.
 
 use super::elliptic::{Jacobi, Values, carlson_rf};
-use super::fourier::FourierSeries;
 use super::unwrapped;
 use crate::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
 use crate::error::{Error, checked, finite};
@@ -236,47 +235,6 @@ impl Motion {
         Phase {
             theta: self.direction * unwrapped(half_turns + 2.0 * self.turns, theta * self.shrink),
             omega: self.direction * omega * self.shrink,
-        }
-    }
-}
-
-// -------------------------------------------------------------------------------------------------
-// Many times
-// -------------------------------------------------------------------------------------------------
-
-impl Motion {
-    /// The motion as a Fourier series, which takes a third of the time for one value and a tenth
-    /// for each of an array; `None` at rest, for a swing below 1e-30 rad, and on the separatrix or
-    /// so near it that the series is long.
-    pub fn series(&self) -> Option<FourierSeries> {
-        let (rotates, elliptic, modulus) = match &self.course {
-            Course::Libration(elliptic) => (false, elliptic, self.modulus),
-            Course::Rotation(elliptic) => (true, elliptic, 1.0 / self.modulus),
-            Course::Rest | Course::Separatrix(_) => return None,
-        };
-        if self.shrink != 1.0 {
-            return None;
-        }
-        let phase = [elliptic.quarters, elliptic.rate];
-        let exponent = elliptic.jacobi.nome_exponent(modulus);
-        FourierSeries::new(rotates, phase, exponent, self.direction, 2.0 * self.turns)
-    }
-
-    /// The states at `times` (s), into `states` as far as there are slots: by [`Motion::at`], or
-    /// for many times within its horizon by [`Motion::series`].
-    pub fn at_each(&self, times: &[f64], states: &mut [Phase]) {
-        /// The number of values from which on the series pays for its preparation.
-        const MANY: usize = 64;
-        let within = |series: &FourierSeries| {
-            times.len() >= MANY && times.iter().all(|t| t.abs() <= series.horizon())
-        };
-        match self.series().filter(within) {
-            Some(series) => series.at_each(times, states),
-            None => {
-                for (t, z) in times.iter().zip(states) {
-                    *z = self.at(*t);
-                }
-            }
         }
     }
 }

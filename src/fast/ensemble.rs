@@ -111,15 +111,15 @@ impl<S: System<State: Send + Sync> + Sync> Ensemble<'_, S> {
     /// slot for each start.
     ///
     /// ```
-    /// use pendula::systems::{Kepler, PlanePhase};
-    /// use pendula::{Ensemble, Grid, StormerVerlet};
+    /// use pendula::{Damped, Ensemble, Grid, Pendulum, Phase, Rk4};
     ///
-    /// let (sun, grid) = (Kepler::new(1.0)?, Grid::with_duration(0.01, 10.0)?);
-    /// let starts = [0.9, 1.0, 1.1].map(|vy| PlanePhase { x: 1.0, y: 0.0, vx: 0.0, vy });
-    /// let mut ends = [PlanePhase::default(); 3];
-    /// Ensemble::new(&sun, &starts, grid).ends_one_by_one(&StormerVerlet, &mut ends);
-    /// // In the middle, a circle.
-    /// assert!((ends[1].x.hypot(ends[1].y) - 1.0).abs() < 1e-4);
+    /// let (damped, grid) = (Damped::new(Pendulum::PAPER, 0.1)?, Grid::with_duration(0.01, 20.0)?);
+    /// let starts = [0.1, 0.2, 0.3].map(Phase::at_rest);
+    /// let mut ends = [Phase::default(); 3];
+    /// Ensemble::new(&damped, &starts, grid).ends_one_by_one(&Rk4, &mut ends);
+    /// // Small swings decay as exp(−βt), and their energy as its square.
+    /// let left = damped.energy(ends[0]) / damped.energy(starts[0]);
+    /// assert!((left / (-4.0_f64).exp() - 1.0).abs() < 0.1);
     /// # Ok::<(), pendula::Error>(())
     /// ```
     ///

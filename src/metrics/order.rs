@@ -17,24 +17,3 @@ pub fn slopes<'a>(
     })
 }
 // ANCHOR_END: slopes
-
-/// Whether the `error` of a method of this `order` agrees with its order and is not small by
-/// chance, judged by the error with half the step, `finer`, of which as much as `rounding` may be
-/// rounding.
-///
-/// The error as a function of the step may cross zero, and near there a poor method looks splendid.
-/// But with half the step an error should be 2ᵖ times smaller: if 2ᵖ `finer` is more than three
-/// times `error`, then `error` was small by chance, or rounding has been reached. A high order may
-/// reach rounding in a single halving. So if `finer` may be rounding, it need only be at most three
-/// times `error`.
-pub fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
-    let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
-    falls || finer <= rounding && 3.0 * error >= finer
-}
-
-/// Whether an `error`, of which as much as `rounding` may be rounding, is on the rounding floor:
-/// the error with half the step, `finer`, is not less than half of it, as it would be for any
-/// method above the floor.
-pub fn is_floor(error: f64, rounding: f64, finer: f64) -> bool {
-    error <= rounding && 2.0 * finer >= error
-}

@@ -1,4 +1,4 @@
-//! The period, read off the samples in five ways. The reading matters more than the method.
+//! The period, read off the samples in four ways. The reading matters more than the method.
 //!
 //! | reading | observer | off by |
 //! |---|---|---|
@@ -6,16 +6,13 @@
 //! | the parabola through it and its neighbours | [`PeakPeriod::parabola`] | O(h³) |
 //! | the straight line through a crossing | [`CrossingPeriod::new`] [`Linear`] | O(h³) |
 //! | the cubic through a crossing | [`CrossingPeriod::default`], by [`Hermite`] | O(h⁵) |
-//! | a last step that ends on the crossing | [`CrossingPeriod::new`] [`Henon`] | O(h⁵) |
 //!
 //! In general a line and a cubic are accurate to O(h²) and O(h⁴); what they leave out begins with
 //! the second and with the fourth derivative of θ. At the bottom of the pendulum both are zero,
 //! which makes each better by one order there.
 
-use crate::integrate::{Method, Observer};
-use crate::methods::Rk4;
-use crate::state;
-use crate::systems::{Phase, System};
+use crate::integrate::Observer;
+use crate::systems::Phase;
 
 // -------------------------------------------------------------------------------------------------
 // Peaks
@@ -106,40 +103,6 @@ impl CrossingRule for Hermite {
     fn time(&self, before: f64, from: Phase, after: f64, to: Phase) -> f64 {
         let h = after - before;
         before + h * hermite_root(from.theta, h * from.omega, to.theta, h * to.omega)
-    }
-}
-
-/// A step of the system itself that ends on the crossing: an RK4 step back from the sample beyond,
-/// with θ as the independent variable, so that its length, −θ, is known (Hénon, *Physica D* 5
-/// (1982) 412–414).
-#[derive(Clone, Copy, Debug)]
-pub struct Henon<'a, S>(pub &'a S);
-
-impl<S: System<State = Phase>> CrossingRule for Henon<'_, S> {
-    fn time(&self, _before: f64, _from: Phase, after: f64, to: Phase) -> f64 {
-        let moment = Moment { time: after, omega: to.omega };
-        Rk4.step(self, to.theta, -to.theta, moment, &mut ()).time
-    }
-}
-
-/// The equation of motion with θ as its independent variable: dt/dθ = 1/θ̇, dω/dθ = ω̇/θ̇.
-impl<S: System<State = Phase>> System for Henon<'_, S> {
-    type State = Moment;
-
-    fn rate(&self, theta: f64, Moment { time, omega }: Moment) -> Moment {
-        let rate = self.0.rate(time, Phase { theta, omega });
-        Moment { time: 1.0 / rate.theta, omega: rate.omega / rate.theta }
-    }
-}
-
-state! {
-    /// When the pendulum is at a given angle, and how fast it then moves; or the rate of change of
-    /// both, per radian.
-    pub struct Moment {
-        /// Time t (s).
-        pub time: f64,
-        /// Angular velocity (rad/s).
-        pub omega: f64,
     }
 }
 

@@ -1,6 +1,6 @@
 //! The damped pendulum.
 
-use crate::arithmetic::sine::{cos, half_turn, sin};
+use crate::arithmetic::sine::half_turn;
 use crate::error::{Error, not_negative};
 use crate::systems::{Hamiltonian, Pendulum, Phase, Separable, System};
 
@@ -51,35 +51,6 @@ impl Damped {
     pub fn power(&self, z: Phase) -> f64 {
         let inertia = self.pendulum.mass() * self.pendulum.length() * self.pendulum.length();
         -2.0 * self.damping * inertia * (z.omega * z.omega)
-    }
-
-    /// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀²
-    /// θ = 0: in closed form, whether the damping is weak (β < ω₀), critical or strong.
-    pub fn small_swing(&self, start: Phase, t: f64) -> Phase {
-        let (beta, square) = (self.damping, self.pendulum.frequency_squared());
-        let Phase { theta, omega } = start;
-        // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times
-        // exp(−βt).
-        let below = square - beta * beta;
-        let (even, odd) = if below > 0.0 {
-            let frequency = libm::sqrt(below);
-            let decay = libm::exp(-beta * t);
-            (decay * cos(frequency * t), decay * sin(frequency * t) / frequency)
-        } else if below < 0.0 {
-            let split = libm::sqrt(-below);
-            // exp(−βt) times cosh and sinh, without the overflow of the one or the cancellation in
-            // the other.
-            let decay = libm::exp(-square / (beta + split) * t);
-            let lost = -libm::expm1(-2.0 * split * t);
-            (decay * (1.0 - 0.5 * lost), decay * lost / (2.0 * split))
-        } else {
-            let decay = libm::exp(-beta * t);
-            (decay, decay * t)
-        };
-        Phase {
-            theta: theta * even + (omega + beta * theta) * odd,
-            omega: omega * even - (beta * omega + square * theta) * odd,
-        }
     }
 
     /// [`Separable::kick`] with an acceleration other than the pendulum's own.

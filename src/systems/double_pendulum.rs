@@ -165,41 +165,6 @@ impl DoublePendulum {
         let (x1, y1) = (l1 * sin(z.theta1), -l1 * cos(z.theta1));
         [(x1, y1), (x1 + l2 * sin(z.theta2), y1 - l2 * cos(z.theta2))]
     }
-
-    /// The angular frequencies of the two normal modes of small swings (rad/s), the slow one first:
-    /// the roots of m₁L₁L₂ ω⁴ − (m₁ + m₂)(L₁ + L₂)g ω² + (m₁ + m₂)g² = 0.
-    pub fn normal_modes(&self) -> [f64; 2] {
-        let (l1, l2) = (self.upper.length, self.lower.length);
-        let upper = self.upper.mass / (self.upper.mass + self.lower.mass);
-        let (sum, root) = (l1 + l2, self.root());
-        // The slow root as a quotient, for the same reason.
-        let slow = 2.0 * self.gravity / (sum + root);
-        let fast = self.gravity * (sum + root) / (2.0 * upper * l1 * l2);
-        [libm::sqrt(slow), libm::sqrt(fast)]
-    }
-
-    /// The ratio θ₂/θ₁ in each of the [`normal_modes`](Self::normal_modes): positive in the slow
-    /// one, where the bobs swing together, negative in the fast one. For equal rods and bobs it is
-    /// ±√2.
-    ///
-    /// From the lower bob's equation, L₁ θ̈₁ + L₂ θ̈₂ + g θ₂ = 0, it is L₁/(g/ω² − L₂), where 2g/ω²
-    /// is L₁ + L₂ plus or minus the root of the discriminant.
-    pub fn mode_shapes(&self) -> [f64; 2] {
-        let (l1, l2) = (self.upper.length, self.lower.length);
-        let lower = self.lower.mass / (self.upper.mass + self.lower.mass);
-        // The denominators are (L₁ − L₂ ± root)/2. One of them cancels; it is the quotient of their
-        // product, −L₁L₂ m₂/(m₁ + m₂), by the other.
-        let sum = (l1 - l2).abs() + self.root();
-        let (near, far) = (2.0 * l1 / sum, sum / (2.0 * lower * l2));
-        if l1 >= l2 { [near, -far] } else { [far, -near] }
-    }
-
-    /// √((L₁ + L₂)² − 4 L₁L₂ m₁/(m₁ + m₂)) (m), without the cancellation where it is small.
-    fn root(&self) -> f64 {
-        let (l1, l2) = (self.upper.length, self.lower.length);
-        let lower = self.lower.mass / (self.upper.mass + self.lower.mass);
-        libm::sqrt((l1 - l2) * (l1 - l2) + 4.0 * lower * l1 * l2)
-    }
 }
 
 /// Returns `value` if products of several such parameters stay in the range of f64.

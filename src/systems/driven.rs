@@ -76,13 +76,6 @@ impl Driven {
     pub fn period(&self) -> f64 {
         2.0 * PI / self.frequency
     }
-
-    /// The factor by which area in phase space shrinks in a period, exp(−2β · 2π/Ω): the
-    /// determinant of every monodromy matrix (Liouville's formula; the divergence of the flow is
-    /// −2β everywhere).
-    pub fn contraction(&self) -> f64 {
-        libm::exp(-2.0 * self.damped.damping() * self.period())
-    }
 }
 
 impl System for Driven {

@@ -13,7 +13,6 @@
 //! | [`Driven`] | θ̈ + 2β θ̇ + ω₀² sin θ = γ ω₀² cos Ωt | yes | nothing; area shrinks as exp(−2βt) |
 //! | [`Shaken`] | θ̈ + (g − aΩ² cos Ωt)/L sin θ = 0 | yes | area |
 //! | [`DoublePendulum`] | Hamilton's, in θ₁, θ₂, p₁, p₂ | no | energy |
-//! | [`Kepler`] | r̈ = −μ r/r³ | yes | energy, angular momentum, pericentre |
 //!
 //! # A system of your own
 //!
@@ -78,7 +77,6 @@ mod double_pendulum;
 mod driven;
 mod from_rate;
 mod gradient;
-mod kepler;
 mod linear_oscillator;
 mod mean_force;
 mod nearly_linear;
@@ -96,7 +94,6 @@ pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO
 pub use driven::Driven;
 pub use from_rate::FromRate;
 pub use gradient::{ForceGradient, Processor};
-pub use kepler::{Ellipse, Kepler, Planar, PlanePhase};
 pub use linear_oscillator::LinearOscillator;
 pub use mean_force::MeanForce;
 pub use nearly_linear::NearlyLinear;

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use pendula::arithmetic::double_double::reduced_sine_cosine;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
-use pendula::metrics::{
-    AngleError, CrossingPeriod, EndError, EnergyDrift, Henon, Linear, PeakPeriod, polygon_area,
-};
+use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
+use pendula_curves::dynamics::Henon;
+use pendula_curves::shapes::area;
 
 use crate::Hash;
 
@@ -107,19 +107,6 @@ fn motions() -> u64 {
     hash.value()
 }
 
-/// The motion at many times, by its Fourier series.
-fn series() -> u64 {
-    let mut hash = Hash::new();
-    let times: Vec<f64> = (1..=300).map(|n| 100.0 * signed(n)).collect();
-    for start in (1..=100).map(start) {
-        let motion = Motion::new(&pendulum(), start).expect("a start in range");
-        let mut states = vec![Phase::default(); times.len()];
-        motion.at_each(&times, &mut states);
-        states.into_iter().for_each(|z| hash.add_state(z));
-    }
-    hash.value()
-}
-
 /// What is measured along a run of Störmer–Verlet.
 fn metrics() -> u64 {
     let (pendulum, start) = (pendulum(), Phase::at_rest(2.5));
@@ -145,14 +132,14 @@ fn metrics() -> u64 {
     hash.add_all([energy.largest(), angle.root_mean_square(), angle.largest()]);
     let periods = [peak.period(), linear.period(), hermite.period(), henon.period()];
     periods.into_iter().for_each(|period| hash.add(period.expect("many periods")));
-    hash.add(polygon_area(&corners));
+    hash.add(area(corners));
     let end_error = EndError::new(&pendulum, start, grid.time(grid.steps()));
     hash.add(end_error.expect("a start in range").of(end));
     hash.value()
 }
 
 /// A line for each.
-pub fn lines() -> [(&'static str, u64); 8] {
+pub fn lines() -> [(&'static str, u64); 7] {
     [
         ("sine", of_each(SAMPLES, |n| [sin(angle(n))])),
         ("cosine", of_each(SAMPLES, |n| [cos(angle(n))])),
@@ -163,7 +150,6 @@ pub fn lines() -> [(&'static str, u64); 8] {
         ("elliptic integral K", of_each(SAMPLES, |n| [complete_elliptic_k(share(n) * small(n))])),
         ("periods", of_each(SAMPLES, |n| swing(4.0 * PI * signed(n) * small(n)))),
         ("exact motion", motions()),
-        ("exact motion by its series", series()),
         ("metrics", metrics()),
     ]
 }

@@ -4,5 +4,4 @@
 mod arithmetic;
 mod elliptic;
 mod motion;
-mod series;
 mod sine;

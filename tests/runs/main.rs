@@ -15,5 +15,5 @@ mod integrate_fast;
 mod separatrix;
 mod series_overflow;
 mod stability;
-mod symmetric_steps;
+mod step_density;
 mod taylor_series;

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use std::fs;
 
 use pendula::arithmetic::sine::sin;
-use pendula::systems::{Ellipse, Kepler};
 use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact, method_named};
+use pendula_curves::kepler::{Ellipse, Kepler};
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;
 use pendula_study::experiments::{choosing, long_run, small_angle, standard_map, truncation};

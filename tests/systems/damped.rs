@@ -2,12 +2,12 @@
 
 use approx::assert_abs_diff_eq;
 use pendula::methods::{Rk4, StormerVerlet};
-use pendula::metrics::polygon_area;
 use pendula::systems::Damped;
 use pendula::{
     AnyMethod, Error, Grid, Info, LinearOscillator, Method, Pendulum, Phase, Separable, System,
     integrate,
 };
+use pendula_curves::shapes;
 use rstest::rstest;
 
 use crate::common::{in_seconds, on};
@@ -20,6 +20,35 @@ fn damped(beta: f64) -> Damped {
 /// The critical damping √(g/L) (1/s).
 fn critical() -> f64 {
     2.5_f64.sqrt()
+}
+
+/// The state at time `t` ≥ 0 (s) after `start` in the limit of small swings, θ̈ + 2β θ̇ + ω₀² θ =
+/// 0: in closed form, whether the damping is weak (β < ω₀), critical or strong.
+fn small_swing(damped: &Damped, start: Phase, t: f64) -> Phase {
+    let (beta, square) = (damped.damping(), damped.pendulum().frequency_squared());
+    let Phase { theta, omega } = start;
+    // The two solutions that begin as (1, 0) and (0, 1) in z and ż of z̈ = (β² − ω₀²) z, times
+    // exp(−βt).
+    let below = square - beta * beta;
+    let (even, odd) = if below > 0.0 {
+        let frequency = below.sqrt();
+        let decay = (-beta * t).exp();
+        (decay * (frequency * t).cos(), decay * (frequency * t).sin() / frequency)
+    } else if below < 0.0 {
+        let split = (-below).sqrt();
+        // exp(−βt) times cosh and sinh, without the overflow of the one or the cancellation in the
+        // other.
+        let decay = (-square / (beta + split) * t).exp();
+        let lost = -(-2.0 * split * t).exp_m1();
+        (decay * (1.0 - 0.5 * lost), decay * lost / (2.0 * split))
+    } else {
+        let decay = (-beta * t).exp();
+        (decay, decay * t)
+    };
+    Phase {
+        theta: theta * even + (omega + beta * theta) * odd,
+        omega: omega * even - (beta * omega + square * theta) * odd,
+    }
 }
 
 /// The pendulum's sine differs from θ₀ by θ₀³/6, which over t shifts the phase by θ₀² ω₀t/16: with
@@ -40,7 +69,7 @@ fn small_swings_decay_as_the_linear_equation_says(#[case] beta: f64) {
     for start in [Phase::at_rest(1e-5), Phase { theta: -0.3e-5, omega: 1e-5 }] {
         let grid = Grid::with_duration(0.001, 6.0).unwrap();
         integrate(&damped, &Rk4, start, &grid, &mut |_, t, z: Phase| {
-            let exact = damped.small_swing(start, t);
+            let exact = small_swing(&damped, start, t);
             assert_abs_diff_eq!(z.theta, exact.theta, epsilon = LINEAR * 1e-5);
             assert_abs_diff_eq!(z.omega, exact.omega, epsilon = LINEAR * 1e-5 * 4.0);
         });
@@ -57,13 +86,13 @@ fn the_closed_form_is_smooth_across_critical(
     #[values(0.5, 3.0, 1e4)] t: f64,
 ) {
     let start = Phase { theta: 1.0, omega: 0.5 };
-    let here = damped(share * critical()).small_swing(start, t);
+    let here = small_swing(&damped(share * critical()), start, t);
     // The formula at critical damping: (θ₀ + (ω₀ + βθ₀) t) exp(−βt). A relative change of β by 1e-9
     // changes it by less than 1e-9 (βt)² exp(−βt) < 1e-9.
     let beta = critical();
     let exact = (1.0 + (0.5 + beta) * t) * (-beta * t).exp();
     assert_abs_diff_eq!(here.theta, exact, epsilon = 2e-9);
-    let strong = damped(1e6).small_swing(start, 1e6);
+    let strong = small_swing(&damped(1e6), start, 1e6);
     // Slow decay at ω₀²/(2β) = 1.25e-6 (1/s), of θ₀ + ω₀/(2β).
     assert_abs_diff_eq!(strong.theta, (-1.25_f64).exp(), epsilon = 1e-6);
 }
@@ -75,7 +104,7 @@ fn the_closed_form_is_smooth_across_critical(
 fn where_damping_is_critical_there_is_a_formula_too() {
     let critical = Damped::new(Pendulum::new(8.0, 2.0, 3.0).unwrap(), 2.0).unwrap();
     for t in [0.0, 0.25, 1.5] {
-        let end = critical.small_swing(Phase { theta: 1.0, omega: 0.5 }, t);
+        let end = small_swing(&critical, Phase { theta: 1.0, omega: 0.5 }, t);
         // θ = (θ₀ + s t) exp(−βt) with s = ω₀ + βθ₀, and its derivative; a few roundings of numbers
         // below 3.
         let (s, decay) = (2.5, (-2.0 * t).exp());
@@ -145,11 +174,10 @@ fn kick_force_and_rate_agree(#[values(0.0, 1e-12, 0.2, 5.0)] beta: f64) {
 /// The area inside a curve of starts after the run, as a polygon of `corners` corners.
 fn area_after<M: Method<Damped>>(method: &M, damped: &Damped, grid: &Grid, corners: u32) -> f64 {
     let ring = (0..corners).map(|k| 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(corners));
-    let ends: Vec<Phase> = ring
+    let ends = ring
         .map(|turn| Phase { theta: 1.0 + 0.3 * turn.cos(), omega: 0.5 + 0.3 * turn.sin() })
-        .map(|start| integrate(damped, method, start, grid, &mut ()))
-        .collect();
-    polygon_area(&ends)
+        .map(|start| integrate(damped, method, start, grid, &mut ()));
+    shapes::area(ends)
 }
 
 /// With any step, Störmer–Verlet shrinks area by exp(−2βt): the two half kicks by exp(−βh) each,
@@ -184,16 +212,16 @@ fn a_triangle_keeps_its_area_on_the_linear_oscillator() {
     let linear = LinearOscillator::new(Pendulum::new(5.0, 2.0, 3.0).unwrap());
     for shift in [0.0, 100.0] {
         let triangle = corners.map(|(theta, omega)| Phase { theta: theta + shift, omega });
-        assert_eq!(polygon_area(&triangle), 3.0);
+        assert_eq!(shapes::area(triangle), 3.0);
         let moved = triangle.map(|z| linear.exact(z, 1.7));
         // Coordinates of up to 160, rounded by ε/2 of themselves a few times, times edges of 4.
-        assert_abs_diff_eq!(polygon_area(&moved), 3.0, epsilon = 3e-15 * (1.0 + 160.0 * shift));
+        assert_abs_diff_eq!(shapes::area(moved), 3.0, epsilon = 3e-15 * (1.0 + 160.0 * shift));
         let [a, b, c] = triangle;
-        assert_eq!(polygon_area(&[a, c, b]), -3.0);
+        assert_eq!(shapes::area([a, c, b]), -3.0);
     }
     let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-    assert_eq!(polygon_area(&square.map(|(theta, omega)| Phase { theta, omega })), 1.0);
-    assert_eq!(polygon_area(&[]), 0.0);
+    assert_eq!(shapes::area(square.map(|(theta, omega)| Phase { theta, omega })), 1.0);
+    assert_eq!(shapes::area([]), 0.0);
 }
 
 /// Order against the linear equation; the damping is comparable to the frequency, so that friction
@@ -210,7 +238,7 @@ fn damping_keeps_the_order<M: Method<Damped> + Info>(#[case] method: M, #[case] 
     let error = |steps: u64| {
         let grid = Grid::new(1.7 / steps as f64, steps).unwrap();
         let end = integrate(&damped, &method, start, &grid, &mut ());
-        (end.theta - damped.small_swing(start, 1.7).theta).abs()
+        (end.theta - small_swing(&damped, start, 1.7).theta).abs()
     };
     let coarsest = 256 >> (order as u32);
     let errors = [0, 1, 2].map(|k| error(coarsest << k));

@@ -8,7 +8,9 @@ use pendula::{Damped, Driven, Grid, Info, Method, Pendulum, Phase, Separable, Sy
 use pendula_judge::properties::driven::{Pushed, check, check_euler};
 use pendula_judge::properties::near;
 use pendula_study::dynamics::lyapunov::Watch;
-use pendula_study::dynamics::{Bundle, Linearised, Stroboscope, largest_exponent, periodic_orbit};
+use pendula_study::dynamics::{
+    Bundle, Linearised, Stroboscope, contraction, largest_exponent, periodic_orbit,
+};
 use pendula_study::experiments::beyond::{
     CHAOTIC, COARSE, Doubling, attractor, doubling, doublings, poincare, seen,
 };
@@ -73,7 +75,7 @@ fn periods_double_where_they_should() {
     near("γ₂", second.strength, 1.079313906, 6e-10).unwrap();
     for (Doubling { strength, orbit }, periods) in [(first, 1), (second, 2)] {
         let driven = Driven::taylor(strength).unwrap();
-        let contraction = driven.contraction().powi(periods);
+        let contraction = contraction(&driven).powi(periods);
         // RK4's determinant is off by 3.7 (ω₀h)⁵/120 a step, as in the test above, times
         // 1000 steps a period and up to two periods.
         near("det", orbit.monodromy.determinant() / contraction, 1.0, 4.6e-9).unwrap();

@@ -3,13 +3,14 @@
 //! hand. And all of it at the limits of f64, and with any numbers.
 
 use pendula::error::MAX_STEPS;
+use pendula::metrics::CrossingRule;
 use pendula::{Damped, Driven, Error, Phase, Rk4, Shaken};
 use pendula_judge::properties::{near, pendulum};
 use pendula_study::dynamics::floquet::monodromy;
 use pendula_study::dynamics::lyapunov::Watch;
 use pendula_study::dynamics::{
-    Linearised, Monodromy, PeriodicOrbit, Stroboscope, largest_exponent, period_doubling,
-    periodic_orbit, root,
+    Henon, Linearised, Monodromy, PeriodicOrbit, Stroboscope, contraction, largest_exponent,
+    period_doubling, periodic_orbit, root,
 };
 
 use crate::common::Random;
@@ -357,4 +358,10 @@ fn scene(any: &mut Random) {
         paces,
     );
     assert!(doubled.is_none_or(|at| !at.is_nan()));
+    Henon(&driven).time(any.number(), phase(any), any.number(), phase(any));
+    if let Some(damped) = accepted(Damped::new(pendulum(), any.number()))
+        && let Some(driven) = accepted(Driven::new(damped, any.number(), any.number()))
+    {
+        assert!((0.0..=1.0).contains(&contraction(&driven)), "{driven:?}");
+    }
 }

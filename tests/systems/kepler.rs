@@ -5,11 +5,13 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use pendula::metrics::order::slopes;
-use pendula::systems::{Ellipse, Kepler, PlanePhase};
 use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate};
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 use pendula_study::experiments::beyond::precession;
 use pendula_study::theory::other_systems::verlet_precession;
 use rstest::rstest;
+
+use crate::common::Random;
 
 /// μ ≠ 1, a ≠ 1, so that a missing factor shows. e is moderate, so that a ladder of even steps is
 /// in its asymptotic regime.
@@ -196,6 +198,36 @@ fn an_orbit_is_what_it_was_made_of() {
     let ellipse = Ellipse::new(&centre, 1.75, 0.375).unwrap();
     assert_eq!(centre.attraction(), 2.5);
     assert_eq!((ellipse.semi_major(), ellipse.eccentricity()), (1.75, 0.375));
+}
+
+/// Ten thousand orbits of any numbers, most of which are refused: of the others the period, the
+/// rate and the energy are finite.
+///
+/// Catches: a period, a rate or an energy out of range on an orbit that was accepted; an anomaly
+/// that is looked for without an end.
+#[test]
+fn any_orbit_is_sound_or_refused() {
+    let mut any = Random::new(1);
+    let mut sound = 0;
+    for _ in 0..10_000 {
+        let Ok(centre) = Kepler::new(any.number()) else { continue };
+        let eccentricity = if any.below(2) == 0 { any.number() } else { any.between(0.0, 1.0) };
+        let Ok(ellipse) = Ellipse::new(&centre, any.number(), eccentricity) else { continue };
+        sound += 1;
+        assert!(ellipse.period().is_normal() && ellipse.mean_motion().is_normal());
+        // Within a turn, and at any time.
+        for t in [0.0, any.between(-1.0, 1.0) * ellipse.period(), any.number()] {
+            let z = ellipse.at(t);
+            if !(ellipse.mean_motion() * t).is_finite() {
+                continue;
+            }
+            let PlanePhase { x, y, vx, vy } = centre.rate(0.0, z);
+            let case = || format!("{centre:?} {ellipse:?} at {t:e}: {z:?}");
+            assert!([x, y, vx, vy].iter().all(|x| x.is_finite()), "{}", case());
+            assert!(centre.energy(z).is_finite(), "{}", case());
+        }
+    }
+    assert!(sound > 500, "{sound}");
 }
 
 /// Catches: a hyperbola taken for an ellipse, NaN accepted, an error that does not give the reason.

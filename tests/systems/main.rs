@@ -11,3 +11,4 @@ mod dynamics;
 mod kepler;
 mod magnetic;
 mod shaken;
+mod symmetric_steps;

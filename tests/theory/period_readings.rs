@@ -2,8 +2,9 @@
 
 use pendula::exact::period;
 use pendula::methods::Rk4;
-use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
+use pendula::metrics::{CrossingPeriod, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Observer, Pendulum, Phase, integrate};
+use pendula_study::dynamics::Henon;
 use pendula_study::experiments::large_angle;
 use pendula_study::theory;
 use rstest::rstest;

@@ -146,17 +146,6 @@ fn turned(quarters: u64, r: Rest) -> f64 {
     f64::from_bits(value.to_bits() ^ (quarters & 2) << 62)
 }
 
-/// Sine and cosine of `r` plus `quarters` quarter turns, of which only the last two bits count, for
-/// |r| ≤ π/4 (rad).
-#[inline(always)]
-pub(crate) fn quarter_turns_and(quarters: u64, r: f64) -> (f64, f64) {
-    let rest = Rest { head: r, tail: 0.0 };
-    let (s, c) = (sine(rest), cosine(rest));
-    let (s, c) = if quarters & 1 == 0 { (s, c) } else { (c, s) };
-    let signed = |x: f64, bit: u64| f64::from_bits(x.to_bits() ^ (bit & 2) << 62);
-    (signed(s, quarters), signed(c, quarters.wrapping_add(1)))
-}
-
 /// The coefficients of [`sine`]: of r³, r⁵, … r¹³.
 #[doc(hidden)]
 pub const S: [f64; 6] = [

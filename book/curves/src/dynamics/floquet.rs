@@ -1,6 +1,6 @@
 //! Periodic orbits of driven systems, and whether they attract.
 
-use pendula::{Method, Phase};
+use pendula::{Driven, Method, Phase};
 
 use super::linearised::Linearised;
 use super::root::root;
@@ -50,6 +50,13 @@ impl Monodromy {
             half.abs() + libm::sqrt(square)
         }
     }
+}
+
+/// The factor by which area in phase space shrinks in a period of the drive, exp(−2β · 2π/Ω): the
+/// determinant of every monodromy matrix (Liouville's formula; the divergence of the flow is −2β
+/// everywhere).
+pub fn contraction(driven: &Driven) -> f64 {
+    libm::exp(-2.0 * driven.damped().damping() * driven.period())
 }
 
 /// A periodic orbit of a driven system, seen by its stroboscope.

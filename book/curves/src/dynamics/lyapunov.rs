@@ -2,10 +2,10 @@
 
 use pendula::{Error, Method, Phase};
 
-use super::at_least;
 use super::linearised::Linearised;
 use super::stroboscope::Stroboscope;
 use super::variation::{Bundle, Variational};
+use crate::checked;
 
 /// A Lyapunov exponent (1/s): the mean rate at which the logarithm of a small distance grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +33,8 @@ impl Watch {
     /// [`Error::Parameter`] for fewer than two blocks, which have no scatter, and for blocks
     /// without a period.
     pub fn new(settling: u32, blocks: u32, periods: u32) -> Result<Self, Error> {
-        at_least(2.0, "number of blocks", blocks.into(), "at least 2")?;
-        at_least(1.0, "periods of a block", periods.into(), "at least 1")?;
+        checked("number of blocks", blocks.into(), blocks >= 2, "at least 2")?;
+        checked("periods of a block", periods.into(), periods >= 1, "at least 1")?;
         Ok(Self { settling, blocks, periods })
     }
 }

@@ -1,5 +1,5 @@
-//! The analysis of driven systems: the long-term behaviour of a motion, and its response to small
-//! changes.
+//! The analysis of motions, above all of driven systems: their long-term behaviour, and their
+//! response to small changes.
 //!
 //! * [`linearised`]: systems that know the derivative of their rate of change.
 //! * [`variation`]: neighbours of a trajectory, by the variational equation.
@@ -8,6 +8,8 @@
 //!   their period.
 //! * [`lyapunov`]: how quickly neighbours separate, with an error bar.
 //! * [`mod@root`]: the zero of a function between two points.
+//! * [`crossing`]: when a motion crosses the bottom, by a last step that ends there.
+//! * [`mod@normal_modes`]: the small swings of a double pendulum.
 //!
 //! None of it is tied to one method: a method that can step the system can step the system with its
 //! neighbours.
@@ -27,28 +29,20 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 
+pub mod crossing;
 pub mod floquet;
 pub mod linearised;
 pub mod lyapunov;
+pub mod normal_modes;
 pub mod root;
 pub mod stroboscope;
 pub mod variation;
 
-pub use floquet::{Monodromy, PeriodicOrbit, period_doubling, periodic_orbit};
+pub use crossing::Henon;
+pub use floquet::{Monodromy, PeriodicOrbit, contraction, period_doubling, periodic_orbit};
 pub use linearised::Linearised;
 pub use lyapunov::{Exponent, largest_exponent};
+pub use normal_modes::{mode_shapes, normal_modes};
 pub use root::root;
 pub use stroboscope::Stroboscope;
 pub use variation::{Bundle, Variational};
-
-use pendula::Error;
-
-/// The error of a count that is less than `least`.
-fn at_least(
-    least: f64,
-    name: &'static str,
-    value: f64,
-    allowed: &'static str,
-) -> Result<(), Error> {
-    if value >= least { Ok(()) } else { Err(Error::Parameter { name, value, allowed }) }
-}

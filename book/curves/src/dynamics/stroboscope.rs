@@ -2,9 +2,9 @@
 
 use pendula::{Error, Grid, Method, Phase, System, integrate};
 
-use super::at_least;
 use super::linearised::Linearised;
 use super::variation::{Bundle, Variational};
+use crate::checked;
 
 /// The stroboscopic map, which is the Poincaré map of a driven system: from the state at the
 /// beginning of a period of the drive to the state at its end.
@@ -29,7 +29,7 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
         if !(period.is_finite() && period > 0.0) {
             return Err(Error::Parameter { name, value: period, allowed });
         }
-        at_least(1.0, "steps a period", steps as f64, "at least 1")?;
+        checked("steps a period", steps as f64, steps >= 1, "at least 1")?;
         Ok(Self { system, method, grid: Grid::new(period / steps as f64, steps)? })
     }
 

@@ -8,7 +8,6 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use pendula::metrics::EndError;
-use pendula::metrics::order::{is_asymptotic, is_floor};
 use pendula::{Grid, METHODS, Pendulum, Phase};
 use pendula_study::experiments::MethodRef;
 
@@ -151,6 +150,27 @@ fn is_done(rungs: &[Measurement], order: u32) -> bool {
     on_the_floor.len() >= 3 || on_the_floor.contains(&true)
 }
 
+/// Whether the `error` of a method of this `order` agrees with its order and is not small by
+/// chance, judged by the error with half the step, `finer`, of which as much as `rounding` may be
+/// rounding.
+///
+/// The error as a function of the step may cross zero, and near there a poor method looks splendid.
+/// But with half the step an error should be 2ᵖ times smaller: if 2ᵖ `finer` is more than three
+/// times `error`, then `error` was small by chance, or rounding has been reached. A high order may
+/// reach rounding in a single halving. So if `finer` may be rounding, it need only be at most three
+/// times `error`.
+fn is_asymptotic(order: u32, error: f64, finer: f64, rounding: f64) -> bool {
+    let falls = 3.0 * error >= libm::exp2(f64::from(order)) * finer;
+    falls || finer <= rounding && 3.0 * error >= finer
+}
+
+/// Whether an `error`, of which as much as `rounding` may be rounding, is on the rounding floor:
+/// the error with half the step, `finer`, is not less than half of it, as it would be for any
+/// method above the floor.
+fn is_floor(error: f64, rounding: f64, finer: f64) -> bool {
+    error <= rounding && 2.0 * finer >= error
+}
+
 /// The rung with `rate` steps a second: its error, and the shortest time of a few runs.
 fn climbed(scene: Problem, method: MethodRef, rate: u64) -> Measurement {
     let Problem { theta0, duration } = scene;
@@ -231,6 +251,37 @@ mod tests {
     fn a_disturbed_run_does_not_move_the_median() {
         assert_eq!(median([1.0, 1.0, 1.0, 1.0, 9.0]), 1.0);
         assert_eq!(median([9.0, 4.0, 1.0, 2.0, 3.0]), 3.0);
+    }
+
+    /// Catches: a step accepted because its error happens to cross zero; a step refused because its
+    /// error falls faster than its order requires.
+    #[test]
+    fn a_lucky_step_is_not_credible() {
+        assert!(is_asymptotic(2, 4e-4, 1e-4, 0.0));
+        assert!(is_asymptotic(2, 1e-3, 1e-6, 0.0), "the finer one is lucky");
+        assert!(!is_asymptotic(2, 1e-6, 2.5e-5, 0.0));
+        assert!(is_asymptotic(4, 5.4e-13, 1e-13, 0.0) && !is_asymptotic(4, 5.3e-13, 1e-13, 0.0));
+        assert!(!is_asymptotic(1, f64::NAN, 1.0, 2.0) && !is_asymptotic(1, 1.0, f64::NAN, 2.0));
+    }
+
+    /// Catches: a method of order 24 that is never accepted, since its errors reach rounding in one
+    /// halving; a rounding bound that accepts an error which happens to cross zero.
+    #[test]
+    fn what_falls_to_rounding_is_credible() {
+        assert!(is_asymptotic(24, 1e-8, 1e-13, 2e-13) && !is_asymptotic(24, 1e-8, 3e-13, 2e-13));
+        assert!(is_asymptotic(24, 4e-14, 1e-13, 1e-13) && !is_asymptotic(24, 3e-14, 1e-13, 1e-13));
+    }
+
+    /// The bounds are powers of two, so that an f64 lies on each of them and its neighbour just
+    /// beyond.
+    ///
+    /// Catches: a bound slightly too high or too low, or only one of the two conditions checked.
+    #[test]
+    fn an_error_on_the_floor_may_be_rounding_and_does_not_fall() {
+        assert!(is_floor(1.0, 1.0, 0.5) && is_floor(0.25, 1.0, 4.0));
+        assert!(!is_floor(1.0_f64.next_up(), 1.0, 1.0), "more than rounding");
+        assert!(!is_floor(1.0, 1.0, 0.5_f64.next_down()), "it falls");
+        assert!(!is_floor(f64::NAN, 1.0, 1.0) && !is_floor(1.0, 1.0, f64::NAN));
     }
 
     /// Catches: a step whose error happens to cross zero taken for a good step; rungs counted as

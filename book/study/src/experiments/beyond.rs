@@ -8,15 +8,14 @@ use core::f64::consts::{PI, SQRT_2};
 
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
-use pendula::systems::{
-    DoublePendulum, DoublePhase, Driven, Ellipse, Joint, Kepler, Mathieu, PlanePhase, Shaken,
-};
+use pendula::systems::{DoublePendulum, DoublePhase, Driven, Joint, Mathieu, Shaken};
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
-use pendula_curves::dynamics::floquet::{PeriodicOrbit, monodromy};
+use pendula_curves::dynamics::floquet::{PeriodicOrbit, contraction, monodromy};
 use pendula_curves::dynamics::lyapunov::Watch;
 use pendula_curves::dynamics::{
-    Exponent, Stroboscope, largest_exponent, period_doubling, periodic_orbit, root,
+    Exponent, Stroboscope, largest_exponent, mode_shapes, period_doubling, periodic_orbit, root,
 };
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::digits::Digits;
 use crate::theory::other_systems::{a0, b1, verlet_precession};
@@ -331,7 +330,7 @@ const fn row(
 
 fn driven() -> [Row; 4] {
     let [first, second] = doublings();
-    let contraction = Driven::taylor(first.strength).expect("a drive").contraction();
+    let contraction = contraction(&Driven::taylor(first.strength).expect("a drive"));
     let exponent = lyapunov();
     let taylor = |quantity, known, found: Doubling| Row {
         known: Some((known, Digits::Fixed(4))),
@@ -385,7 +384,7 @@ fn upright_falls() -> Row {
 fn double_modes() -> [Row; 2] {
     let (pendulum, double) = (Pendulum::PAPER, equals());
     let square = |frequency: f64| frequency * frequency * pendulum.length() / pendulum.gravity();
-    let [slow, fast] = double.mode_shapes().map(|shape| {
+    let [slow, fast] = mode_shapes(&double).map(|shape| {
         square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
     });
     [

@@ -6,8 +6,9 @@ use pendula::exact::{Motion, period};
 use pendula::methods::{DormandPrince, Rk4, StormerVerlet};
 use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, EnergyDrift};
-use pendula::systems::{Components, Damped, Ellipse, Hamiltonian, Kepler, PlanePhase, System};
+use pendula::systems::{Components, Damped, Hamiltonian, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::experiments::{grid, largest_energy_error, standard_map};
 

@@ -7,9 +7,10 @@
 //! step, without scatter from where the grid happens to fall.
 
 use pendula::methods::Rk4;
-use pendula::metrics::{CrossingPeriod, Henon, Linear, PeakPeriod};
+use pendula::metrics::{CrossingPeriod, Linear, PeakPeriod};
 use pendula::registry::InSteps;
 use pendula::{AnyMethod, Grid, Motion, Observer, Pendulum, Phase, exact};
+use pendula_curves::dynamics::Henon;
 
 use super::{grid, samples};
 

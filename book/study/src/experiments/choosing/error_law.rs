@@ -82,10 +82,7 @@ fn truth() -> impl Iterator<Item = &'static [Phase]> {
         let states = RUNGS.map(|rung| {
             let steps = libm::round(4.0 * libm::exp2(0.5 * f64::from(rung))) as u64;
             let grid = release.grid(steps, 1);
-            let times: Vec<f64> = (1..=steps).map(|n| grid.time(n)).collect();
-            let mut truth = vec![Phase::default(); times.len()];
-            motion.at_each(&times, &mut truth);
-            truth
+            (1..=steps).map(|n| motion.at(grid.time(n))).collect()
         });
         states.collect()
     });

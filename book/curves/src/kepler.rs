@@ -1,12 +1,12 @@
-//! Kepler's problem: a second system that is Hamiltonian and separable, with an angular momentum
-//! besides its energy.
+//! Kepler's problem: no pendulum, but a second system that is Hamiltonian and separable, with an
+//! angular momentum besides its energy.
 
 use core::f64::consts::PI;
 
-use crate::arithmetic::sine::{cos, sin};
-use crate::error::{Error, checked, normal, positive};
-use crate::state;
-use crate::systems::{Hamiltonian, Separable, System};
+use pendula::arithmetic::sine::{cos, sin};
+use pendula::{Error, Hamiltonian, Separable, System, state};
+
+use crate::checked;
 
 /// Kepler's problem in its plane, r̈ = −μ r/r³, with the centre at rest in the origin.
 ///
@@ -168,6 +168,16 @@ fn eccentric_anomaly(mean: f64, e: f64) -> f64 {
         anomaly = next;
     }
     anomaly
+}
+
+/// Returns `value` if it is finite and greater than zero.
+fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
+    checked(name, value, value.is_finite() && value > 0.0, "finite and greater than zero")
+}
+
+/// Returns `value`, a product of parameters, if it neither overflowed nor lost digits to underflow.
+fn normal(name: &'static str, value: f64) -> Result<f64, Error> {
+    checked(name, value, value.is_normal(), "between 2.3e-308 and 1.8e308")
 }
 
 #[inline]
