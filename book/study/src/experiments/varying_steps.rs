@@ -3,8 +3,8 @@
 
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
-use pendula::systems::{Planar, PlanePhase};
-use pendula::{Grid, Hamiltonian, Kepler, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Separable, integrate};
+use pendula_curves::kepler::{Kepler, Planar, PlanePhase};
 
 /// Revolutions of the planet.
 pub const REVOLUTIONS: u32 = 1000;

@@ -5,8 +5,8 @@ use pendula::exact::{Motion, period};
 use pendula::integrate::Observer;
 use pendula::methods::{ForwardEuler, Info, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, EnergyDrift};
-use pendula::systems::Ellipse;
-use pendula::{Grid, Hamiltonian, Kepler, Method, Pendulum, Phase, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate};
+use pendula_curves::kepler::{Ellipse, Kepler};
 
 use super::{Compute, Truth};
 

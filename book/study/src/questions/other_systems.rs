@@ -1,8 +1,8 @@
 //! Questions of "Other systems".
 
 use pendula::methods::{Rk4, StormerVerlet};
-use pendula::systems::Ellipse;
-use pendula::{Grid, Hamiltonian, Kepler, Method, integrate};
+use pendula::{Grid, Hamiltonian, Method, integrate};
+use pendula_curves::kepler::{Ellipse, Kepler};
 
 use super::{Compute, Truth};
 

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::period;
-use pendula::metrics::polygon_area;
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
+use pendula_curves::shapes;
 
 use super::{Compute, Truth};
 
@@ -66,7 +66,7 @@ fn area() -> Truth {
         };
         corners.iter().map(from_first).fold(0.0, libm::fmax)
     };
-    let grown = polygon_area(&image) / polygon_area(&circle);
+    let grown = shapes::area(image.iter().copied()) / shapes::area(circle.iter().copied());
     let keeps_area = (grown - 1.0).abs() < 0.01;
     let keeps_shape = length(&image) < 1.1 * length(&circle);
     Truth::Which(vec![

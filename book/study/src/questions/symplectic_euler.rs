@@ -3,8 +3,9 @@
 use core::f64::consts::FRAC_PI_3;
 
 use pendula::arithmetic::sine::{cos, sin};
-use pendula::metrics::{EnergyDrift, polygon_area};
+use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, SymplecticEuler, integrate};
+use pendula_curves::shapes;
 
 use super::{Compute, Truth};
 
@@ -68,7 +69,7 @@ fn area() -> Truth {
             let omega = z.omega - STEP * kick(z);
             Phase { theta: z.theta + STEP * omega, omega }
         });
-        (polygon_area(&image) / polygon_area(&square) - 1.0).abs() > 1e-3
+        (shapes::area(image) / shapes::area(square) - 1.0).abs() > 1e-3
     };
     Truth::Which(vec![
         ("cosine", changes(|z| 9.81 * cos(z.theta))),

@@ -2,8 +2,8 @@
 
 use pendula::adaptive::{Adaptive, Controlled, SymmetricSteps, Tolerance};
 use pendula::methods::{Dop853, DormandPrince, StormerVerlet};
-use pendula::systems::{Ellipse, PlanePhase};
-use pendula::{Grid, Hamiltonian, Kepler, Pendulum, Phase, integrate};
+use pendula::{Grid, Hamiltonian, Pendulum, Phase, integrate};
+use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use super::{Compute, Truth};
 
@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 1e-6;
 const SMALLER: f64 = 1e3;
 
 /// How many times as many steps a method takes then, in the chapter's swing from 3 rad.
-fn more_steps(method: impl Controlled<Pendulum> + Copy) -> f64 {
+fn more_steps(method: impl Controlled<Pendulum>) -> f64 {
     let steps = |tolerance| {
         let walk = Adaptive::new(method, Tolerance::uniform(tolerance).expect("a tolerance"));
         let run = walk.integrate(&Pendulum::PAPER, Phase::at_rest(3.0), 0.0, 30.0, &mut ());
