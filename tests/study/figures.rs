@@ -9,11 +9,11 @@ use std::sync::{LazyLock, OnceLock};
 use approx::{assert_relative_eq, relative_eq};
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
-use pendula::systems::PlanePhase;
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, Kepler, METHODS, Motion, Pendulum, Phase, System, exact,
-    integrate, method_named,
+    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, integrate,
+    method_named,
 };
+use pendula_curves::kepler::{Kepler, PlanePhase};
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 use pendula_study::experiments::varying_steps::{Control, run as run_of};
 use pendula_study::experiments::{choosing, in_paper, level_curves};
