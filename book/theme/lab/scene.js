@@ -61,7 +61,7 @@ const PRESETS = {
         shows: 'energy',
     },
     'kick-then-drift': {
-        title: 'One letter apart',
+        title: 'One index apart',
         methods: ['forward-euler', 'symplectic-euler'],
         theta0: 2,
         dt: 0.05,
@@ -88,7 +88,7 @@ const PRESETS = {
         shows: 'energy',
     },
     'last-torus': {
-        title: 'K = 0.97: the last torus',
+        title: 'K = 0.97: the last fence',
         methods: ['symplectic-euler', 'stormer-verlet'],
         theta0: 3,
         dt: 0.314455,
