@@ -1,5 +1,6 @@
-//! What a page loads, and when: the scripts and styles of the lab where there is one, and the script
-//! of questions where one is asked, and nowhere else; and its fonts before its text is set, so that no line is set twice.
+//! What a page loads, and when: the scripts and styles of the lab where there is one, the script of
+//! questions where one is asked, and neither anywhere else; and its fonts before its text is set,
+//! so that no line is set twice.
 //!
 //! The lab's scripts are joined to one, without comments, which another loads when it is near. They
 //! stand in a block, so that none of their names is a name of the page, as mdBook's own are.

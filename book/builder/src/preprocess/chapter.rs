@@ -11,9 +11,9 @@
 //! | `doi:…` | a link to the work |
 //!
 //! A formula takes no value. The first quote of a claim has its id, so that its row of the ledger
-//! can link back. A block of code marked `question` becomes a form, as [`questions`] says, and what is
-//! right stands at the end of the chapter, for paper. Other code blocks are shown as [`listing`] says; code spans do not change, but for a word
-//! with a hyphen, which is kept whole.
+//! can link back. A block of code marked `question` becomes a form, as [`questions`] says, and what
+//! is right stands at the end of the chapter, for paper. Other code blocks are shown as [`listing`]
+//! says; code spans do not change, but for a word with a hyphen, which is kept whole.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -56,7 +56,8 @@ impl<'a> Setter<'a> {
         let mut set = splice(text, edits);
         if !answers.is_empty() {
             set += &format!(
-                "\n\n<div class=\"answers\">\n<p>Answers to the questions</p>\n<ol>\n{answers}</ol>\n</div>\n"
+                "\n\n<div class=\"answers\">\n<p>Answers to the questions</p>\n\
+                 <ol>\n{answers}</ol>\n</div>\n"
             );
         }
         Ok(set)

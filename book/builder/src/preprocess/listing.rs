@@ -1,9 +1,9 @@
 //! The code blocks of a chapter, as they are shown.
 //!
-//! A listing, marked `rust`, runs as a test of the study. On the page it is a whole program: what a
-//! reader does not look at, `fn main` and what ends it, is hidden, and copied with the rest. What it
+//! A listing, marked `rust`, runs as a test of the study. On the page it is a whole program: `fn
+//! main` and what ends it are hidden, and are copied with the lines that are shown. What the listing
 //! prints stands below it. An excerpt of the library, marked `rust,ignore`, loses its common
-//! indentation, and the lines that only the compiler needs are hidden.
+//! indentation, and lines that only the compiler needs are hidden.
 
 use crate::{Pattern, pattern};
 

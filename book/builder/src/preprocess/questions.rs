@@ -25,8 +25,9 @@
 //! ```
 //!
 //! What is right is not written here: the study computes it, by the question's id, and so it does
-//! the numbers of the mistakes. A question without exactly one right answer stops the build. Without
-//! scripts its answer is folded below it; on paper the answers stand at the end of the chapter.
+//! the numbers of the mistakes. A question that does not have exactly one right answer stops the
+//! build. Without scripts its answer is folded below it; on paper the answers stand at the end of
+//! the chapter.
 
 use std::fmt::Write;
 
@@ -143,8 +144,9 @@ pub fn set(
         None => String::new(),
     };
     let form = format!(
-        "<fieldset class=\"question\" id=\"question-{id}\" data-kind=\"{kind}\">\n<legend>{ask}</legend>\n{}\
-         <details class=\"answer\">\n<summary>Answer</summary>\n<ul>\n{}{}</ul>\n{again}</details>\n</fieldset>\n",
+        "<fieldset class=\"question\" id=\"question-{id}\" data-kind=\"{kind}\">\n\
+         <legend>{ask}</legend>\n{}<details class=\"answer\">\n<summary>Answer</summary>\n\
+         <ul>\n{}{}</ul>\n{again}</details>\n</fieldset>\n",
         parts.controls, parts.right, parts.wrong,
     );
     Ok(Set { form, answer: parts.right })
@@ -196,11 +198,13 @@ impl Question {
             let value = inert(is);
             writeln!(
                 parts.controls,
-                "<label><input type=\"radio\" name=\"{id}\" value=\"{value}\"> <span>{text}</span></label>"
+                "<label><input type=\"radio\" name=\"{id}\" value=\"{value}\"> \
+                 <span>{text}</span></label>"
             )?;
             let answer = |mark: &str| {
                 format!(
-                    "<li data-is=\"{value}\"{mark}><strong>{text}</strong> <span>{because}</span></li>\n"
+                    "<li data-is=\"{value}\"{mark}><strong>{text}</strong> \
+                     <span>{because}</span></li>\n"
                 )
             };
             match is == right {
@@ -236,7 +240,8 @@ impl Question {
             let ((low, high), because) = (range(value), inline(because)?);
             let shown = rounded(value);
             Ok(format!(
-                "<li data-low=\"{low}\" data-high=\"{high}\"{mark}><strong>{shown} {unit}.</strong> \
+                "<li data-low=\"{low}\" data-high=\"{high}\"{mark}>\
+                 <strong>{shown} {unit}.</strong> \
                  <span>{because}</span></li>\n"
             ))
         };
@@ -271,7 +276,8 @@ impl Question {
                 (1..=order.len()).map(|n| format!("<option>{n}</option>")).collect();
             writeln!(
                 parts.controls,
-                "<label><select name=\"{value}\"><option></option>{places}</select> <span>{text}</span></label>"
+                "<label><select name=\"{value}\"><option></option>{places}</select> \
+                 <span>{text}</span></label>"
             )?;
             texts.push((place(is), text));
         }
@@ -279,7 +285,8 @@ impl Question {
         let texts: Vec<_> = texts.into_iter().map(|(_, text)| text).collect();
         let (inert_order, because) = (inert(&order.join(" ")), inline(because)?);
         parts.right = format!(
-            "<li data-order=\"{inert_order}\" data-right><strong>{}.</strong> <span>{because}</span></li>\n",
+            "<li data-order=\"{inert_order}\" data-right><strong>{}.</strong> \
+             <span>{because}</span></li>\n",
             texts.join(", ")
         );
         for Pair { before, after, because } in &self.pair {

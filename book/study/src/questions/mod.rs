@@ -1,8 +1,8 @@
 //! What is right in the questions of the book, computed.
 //!
-//! A chapter asks, and has for each answer that readers believe a sentence that says why it is right
-//! or wrong. Which of them is right is computed here, and so are the numbers to which usual mistakes
-//! lead. A question is known by its id, which begins with its chapter's name.
+//! A chapter asks, and has a sentence for each answer that readers believe, which says why it is
+//! right or wrong. Which answer is right is computed here, and so are the numbers to which usual
+//! mistakes lead. A question is known by its id, which begins with its chapter's name.
 
 mod choosing;
 mod exam;

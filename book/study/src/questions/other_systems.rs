@@ -62,8 +62,8 @@ fn implicit(v: [f64; 2], h: f64) -> [f64; 2] {
     plus(v, acceleration(v), h).map(|component| component / (1.0 + h * h))
 }
 
-/// A step of velocity Verlet with the old velocity in both forces. In the line that is mended stands
-/// the velocity to which it leads, in the drift the mean of those at both ends.
+/// A step of velocity Verlet with the old velocity in both forces. The line that is mended has the
+/// velocity to which it leads; in the drift it is the mean of those at both ends.
 fn step([x, u]: Particle, h: f64, mended: Option<Line>) -> Particle {
     let half_kick = |line, v| match mended == Some(line) {
         true => implicit(v, 0.5 * h),

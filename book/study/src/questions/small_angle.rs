@@ -15,7 +15,7 @@ pub const QUESTIONS: &[(&str, Compute)] = &[
     ("small-angle-crossings", crossings),
 ];
 
-/// The factor by which RK4's error against the formula falls as a step of 0.01 s shrinks to a tenth.
+/// The factor by which RK4's error against the formula falls as a step of 0.01 s becomes a tenth.
 fn floor() -> Truth {
     let rk4 = method_named("rk4").expect("one of the library's methods");
     let error = |step| small_angle::errors(rk4, &grid(small_angle::DURATION, step)).formula;
