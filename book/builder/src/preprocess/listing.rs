@@ -1,8 +1,8 @@
 //! The code blocks of a chapter, as they are shown.
 //!
 //! A listing, marked `rust`, runs as a test of the study. On the page it is a whole program: `fn
-//! main` and what ends it are hidden, and are copied with the lines that are shown. What the listing
-//! prints stands below it. An excerpt of the library, marked `rust,ignore`, loses its common
+//! main` and what ends it are hidden, and are copied with what is shown. What the listing prints
+//! stands below it. An excerpt of the library, marked `rust,ignore`, loses its common
 //! indentation, and lines that only the compiler needs are hidden.
 
 use crate::{Pattern, pattern};
