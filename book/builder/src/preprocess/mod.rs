@@ -3,9 +3,9 @@
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk, and each snapshot against what the code makes of it now ([`checks`]),
 //! the pages of the tests are added ([`sources`]), and in each chapter tables get their captions
-//! ([`captions`]) and directives and formulas are replaced ([`chapter`], by [`typeset`]). Then it
-//! is known which chapters quote which claim, and the ledger's tables link back to them
-//! ([`claims`]).
+//! ([`captions`]), directives and formulas are replaced ([`chapter`], by [`typeset`]), listings
+//! become whole programs ([`listing`]) and [`questions`] forms. Then it is known which chapters
+//! quote which claim, and the ledger's tables link back to them ([`claims`]).
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.
