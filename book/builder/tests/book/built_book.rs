@@ -249,7 +249,7 @@ fn quoted() -> BTreeSet<(String, String)> {
             quoted.insert((page.clone(), found[1].to_string()));
         }
     }
-    assert!(quoted.len() > 40, "only {} quotes", quoted.len());
+    assert!(quoted.len() > 25, "only {} quotes", quoted.len());
     quoted
 }
 
