@@ -121,7 +121,8 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
     tab.theme("navy")
     findings = probe(tab, paper=True)["findings"] + tab.complaints()
     titles = tab.run("[...document.querySelectorAll('main h1')].map(h => h.textContent.trim())")
-    solutions = "[...document.querySelectorAll('main details > :last-child')]"
+    # But for the answers to questions, which stand at the chapter's end.
+    solutions = "[...document.querySelectorAll('main details:not(.answer) > :last-child')]"
     if not tab.run(solutions + ".every(last => last.checkVisibility())"):
         findings.append("a solution is folded away")
     text = tab.run("document.querySelector('main').textContent.replace(/\\s+/g, ' ')")

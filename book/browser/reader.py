@@ -150,9 +150,9 @@ def test_keyboard(tab):
         tab.press("Escape")
 
 
-# Folded parts apart, all that is read has a place on the screen.
+# Folded parts and the list for paper apart, all that is read has a place on the screen.
 READABLE = """[...document.querySelectorAll('main p, main figure, main h1')].every(e =>
-    e.closest('details') || e.getBoundingClientRect().height > 0
+    e.closest('details, .answers') || e.getBoundingClientRect().height > 0
     && e.checkVisibility({visibilityProperty: true, opacityProperty: true}))"""
 # The contents come in a frame.
 FRAME = "document.querySelector('#mdbook-sidebar iframe')?.getBoundingClientRect().height > 100"
