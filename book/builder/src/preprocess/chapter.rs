@@ -255,7 +255,8 @@ mod tests {
     }
 
     fn set(text: &str) -> Result<String> {
-        let tests = Tests::from_sources([("order", "#[test]\nfn every_slope() {}\n")]).unwrap();
+        let source = "/// Catches: a.\n#[test]\nfn every_slope() {}\n";
+        let tests = Tests::from_sources([("order", source)]).unwrap();
         let setter = Setter::new(&ledger, &tests, "<figure>".to_string());
         setter.set(text, "../", &mut BTreeSet::new())
     }

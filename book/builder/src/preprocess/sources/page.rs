@@ -128,7 +128,7 @@ proptest! {
             "proptest! {",
             "\n## `area` {#area}\n",
             "    fn area(x in 0..1) {\n    }\n",
-            "`````rust\n",
+            "`````rust,source\n",
             "const T",
             "\n## hidden?\n",
         ] {
