@@ -1,5 +1,5 @@
-//! Interruptions, INT, TERM and HUP: they end any process within half a second, whatever it waits
-//! for, and leave no temporary file.
+//! Interruptions, INT, TERM and HUP: they end any process within half a second, or within a second
+//! if its standard error takes nothing, whatever it waits for, and leave no temporary file.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -83,7 +83,8 @@ fn end() {
     signal_hook::low_level::exit(2);
 }
 
-/// Writes to standard error, unless nobody reads there.
+/// Writes to standard error, unless nobody reads there. A busy machine may take a while to begin
+/// the thread that does.
 fn say(line: &'static str) {
     let (sender, said) = mpsc::channel();
     let write = move || {
@@ -91,6 +92,6 @@ fn say(line: &'static str) {
         let _ = sender.send(());
     };
     if thread::Builder::new().spawn(write).is_ok() {
-        let _ = said.recv_timeout(PATIENCE / 4);
+        let _ = said.recv_timeout(PATIENCE);
     }
 }
