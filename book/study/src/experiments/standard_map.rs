@@ -27,7 +27,7 @@ pub struct Orbit {
 pub const STEPS: u64 = 60_000;
 
 /// One point in this many is kept: a prime, so that no chain of islands shows on one island only.
-const KEPT: u64 = 331;
+const KEPT: u64 = 353;
 
 /// Orbits of symplectic Euler with the paper's pendulum, at the step that makes its map the one
 /// with the parameter `k`.
