@@ -41,7 +41,7 @@ fn plane(x: (f64, f64), y: (f64, f64)) -> Chart {
 }
 
 /// States on the section; dots that coincide on the drawing are drawn once.
-const STATES: usize = 24_000;
+const STATES: usize = 8_000;
 
 /// The strange attractor of the driven pendulum.
 pub(super) fn poincare(_: &Study, figure: Figure) -> Figure {
