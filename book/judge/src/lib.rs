@@ -78,6 +78,7 @@ pub mod printable;
 mod program;
 pub mod properties;
 pub mod protocol;
+mod solver;
 mod stranger;
 #[cfg(feature = "zoo")]
 pub mod zoo;
@@ -89,6 +90,9 @@ pub use judge::{
 #[doc(hidden)]
 pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
 pub use program::Program;
+pub use solver::{
+    ByTolerance, Crossings, CrossingsRequest, IntoReply, SolveFn, SolveRequest, Solver,
+};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 
 #[cfg(test)]
