@@ -79,6 +79,7 @@ mod program;
 pub mod properties;
 pub mod protocol;
 mod solver;
+mod solver_judge;
 mod stranger;
 #[cfg(feature = "zoo")]
 pub mod zoo;
@@ -93,6 +94,7 @@ pub use program::Program;
 pub use solver::{
     ByTolerance, Crossings, CrossingsRequest, IntoReply, SolveFn, SolveRequest, Solver,
 };
+pub use solver_judge::{judge_solver, try_judge_solver};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 
 #[cfg(test)]

@@ -30,6 +30,12 @@ pub struct Claims {
     pub evaluations: Option<u64>,
     /// The method that it is, by a name of the [known answers](crate::known_answers).
     pub name: Option<String>,
+    /// Of a solver: that its error estimate falls with this power of the step.
+    pub estimate: Option<u32>,
+    /// Of a solver: that a run ends in the same state, to the bit, with outputs and without.
+    pub free_outputs: bool,
+    /// Of a solver: that it finds where θ passes zero.
+    pub crossings: bool,
 }
 
 impl Claims {
@@ -74,6 +80,21 @@ impl Claims {
         Self { name: Some(name.into()), ..self }
     }
 
+    /// And that the error estimate of a solver falls with the power `power` of the step.
+    pub fn estimate(self, power: u32) -> Self {
+        Self { estimate: Some(power), ..self }
+    }
+
+    /// And that a run of a solver ends in the same state, to the bit, with outputs and without.
+    pub fn free_outputs(self) -> Self {
+        Self { free_outputs: true, ..self }
+    }
+
+    /// And that a solver finds where θ passes zero.
+    pub fn crossings(self) -> Self {
+        Self { crossings: true, ..self }
+    }
+
     /// The method that is claimed.
     pub(super) fn method(&self) -> Option<&'static Known> {
         self.name.as_deref().and_then(known_answers::method)
@@ -96,6 +117,7 @@ impl Claims {
             bounded_energy: entry.symplectic && entry.order <= 8,
             evaluations: (!entry.implicit).then_some(entry.force_evaluations),
             name: Some(entry.name.to_string()),
+            ..Self::default()
         }
     }
 }
@@ -165,22 +187,28 @@ impl Claims {
             };
             let repeated = match key {
                 "order" => claims.order.replace(number()? as u32).is_some(),
+                "estimate" => claims.estimate.replace(number()? as u32).is_some(),
                 "evaluations" => claims.evaluations.replace(number()?).is_some(),
                 "name" => {
                     let name = value.unwrap_or_default();
                     known_answers::method(name).ok_or_else(|| unknown(name))?;
                     claims.name.replace(name.to_string()).is_some()
                 }
-                "symplectic" | "symmetric" | "bounded-energy" if value.is_some() => {
+                "symplectic" | "symmetric" | "bounded-energy" | "free-outputs" | "crossings"
+                    if value.is_some() =>
+                {
                     return Err(format!("{}: {key} takes no value", shortened(word)));
                 }
                 "symplectic" => core::mem::replace(&mut claims.symplectic, true),
                 "symmetric" => core::mem::replace(&mut claims.symmetric, true),
                 "bounded-energy" => core::mem::replace(&mut claims.bounded_energy, true),
+                "free-outputs" => core::mem::replace(&mut claims.free_outputs, true),
+                "crossings" => core::mem::replace(&mut claims.crossings, true),
                 _ => {
                     return Err(format!(
                         "{}: no such claim; there are order=P, symplectic, symmetric, \
-                         bounded-energy, evaluations=N and name=METHOD",
+                         bounded-energy, evaluations=N, name=METHOD and, of a \
+                         solver, estimate=Q, free-outputs and crossings",
                         shortened(word)
                     ));
                 }
@@ -202,6 +230,9 @@ impl fmt::Display for Claims {
             self.bounded_energy.then(|| "bounded-energy".to_string()),
             self.evaluations.map(|a_step| format!("evaluations={a_step}")),
             self.name.as_ref().map(|name| format!("name={name}")),
+            self.estimate.map(|power| format!("estimate={power}")),
+            self.free_outputs.then(|| "free-outputs".to_string()),
+            self.crossings.then(|| "crossings".to_string()),
         ];
         f.write_str(&words.into_iter().flatten().collect::<Vec<_>>().join(" "))
     }

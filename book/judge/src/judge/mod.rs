@@ -10,9 +10,9 @@ mod identity;
 mod look;
 mod loss;
 mod order;
-mod probe;
+pub(crate) mod probe;
 mod replies;
-mod report;
+pub(crate) mod report;
 mod resemblance;
 mod reversal;
 mod series;
@@ -22,7 +22,7 @@ mod symmetry;
 #[cfg(test)]
 #[path = "../../../../tests/verify/thresholds.rs"]
 mod thresholds;
-mod verdict;
+pub(crate) mod verdict;
 
 pub use claims::{ClaimError, Claims};
 pub use equation::{Departure, Kind, Place};

@@ -32,12 +32,12 @@ pub struct Finding {
 
 impl Finding {
     /// One number, which `bound` decides.
-    pub(super) fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
+    pub(crate) fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
         Self { values: vec![value], unit, bound: Some(bound), verdict, ..Self::default() }
     }
 
     /// That nothing is known, and why.
-    pub(super) fn nothing(why: String) -> Self {
+    pub(crate) fn nothing(why: String) -> Self {
         Self { measured: "–".to_string(), why, ..Self::default() }
     }
 }
@@ -70,6 +70,10 @@ pub struct Evidence {
     pub way: Option<(Vec<Phase>, Vec<Phase>)>,
     /// Angle (rad) and the force that acts there, in units of g/L, if it is not the pendulum's.
     pub force: Vec<(f64, f64)>,
+    /// Of a solver: tolerances, the largest error (rad) and the evaluations, if somebody counts.
+    pub tolerances: Vec<(f64, f64, Option<u64>)>,
+    /// Of a solver: time (s) and error (rad) of the outputs along a run.
+    pub outputs: Vec<(f64, f64)>,
 }
 
 /// What the judge found.

@@ -1,0 +1,143 @@
+//! How a solver is asked: its answers checked, its errors against the exact motion, and what
+//! rounding may make of them.
+
+use core::fmt;
+
+use crate::judge::probe::{G_OVER_L, exact, frequency};
+use crate::judge::verdict::{Measured, Trouble};
+use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
+use crate::stranger::{Fault, Reply};
+use pendula::exact::Motion;
+use pendula::systems::Phase;
+
+/// How long most runs are (s): five swings and a half.
+pub const DURATION: f64 = 10.0;
+
+/// Where most runs start: a wide swing from rest, a smaller one, and a rotation.
+pub const STARTS: [Phase; 3] =
+    [Phase::at_rest(2.0), Phase { theta: -0.7, omega: 2.1 }, Phase { theta: 0.4, omega: 8.0 }];
+
+/// The tolerance of the runs whose tolerance does not matter: far from rounding for every method,
+/// and quick.
+pub const USUAL: f64 = 1e-7;
+
+/// The pendulum of most requests from `start`.
+pub const fn from(start: Phase, tolerance: f64) -> SolveRequest {
+    SolveRequest::new(G_OVER_L, start, tolerance)
+}
+
+/// A solver, asked.
+#[derive(Clone, Copy)]
+pub struct Asked<'s>(pub &'s dyn Solver);
+
+impl fmt::Debug for Asked<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Asked").finish_non_exhaustive()
+    }
+}
+
+fn trouble(fault: Fault) -> Trouble {
+    match fault {
+        Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
+        Fault::Refused(why) => Trouble::NoAnswer(why),
+        Fault::Broken(why) => Trouble::Broken(why),
+    }
+}
+
+impl Asked<'_> {
+    /// The answer, with as many finite states as were asked for.
+    pub fn reply(&self, request: &SolveRequest) -> Measured<Reply> {
+        let reply = self.0.solve(request).map_err(trouble)?;
+        let (asked, came) = (request.times.len() as u64, reply.states.len() as u64);
+        if came != asked {
+            return Err(Trouble::Count { asked, came });
+        }
+        if !reply.states.iter().all(|z| z.theta.is_finite() && z.omega.is_finite()) {
+            return Err(Trouble::NotFinite);
+        }
+        Ok(reply)
+    }
+
+    /// The passages through zero.
+    pub fn crossings(&self, request: &CrossingsRequest) -> Measured<Crossings> {
+        self.0.crossings(request).map_err(trouble)
+    }
+
+    /// The errors (rad) of the states of a request without a drive.
+    pub fn errors(&self, request: &SolveRequest) -> Measured<Vec<f64>> {
+        let states = self.reply(request)?.states;
+        Ok(errors(request, &states))
+    }
+}
+
+/// The errors (rad) of these states: max(|Δθ|, |Δω|/ω₀).
+pub fn errors(request: &SolveRequest, states: &[Phase]) -> Vec<f64> {
+    let SolveRequest { g_over_l, start, from, ref times, .. } = *request;
+    let motion = exact(g_over_l, start);
+    let error = |(t, z): (&f64, &Phase)| apart(g_over_l, *z, motion.at(t - from));
+    times.iter().zip(states).map(error).collect()
+}
+
+/// The distance of two states: max(|Δθ|, |Δω|/ω₀) (rad), NaN if one of them is.
+pub fn apart(g_over_l: f64, a: Phase, b: Phase) -> f64 {
+    let along = (a.omega - b.omega).abs() / libm::sqrt(g_over_l);
+    libm::fmaximum((a.theta - b.theta).abs(), along)
+}
+
+/// What rounding may make of a run with so many evaluations (rad): each step rounds the state by
+/// ε, which adds up like a random walk in the state and, since an error of the energy is one of the
+/// frequency, grows with the time in the phase. Ten is what the largest of some thousand such sums
+/// may exceed their mean by. Steps are at most as many as evaluations.
+pub fn rounding(evaluations: u64) -> f64 {
+    10.0 * f64::EPSILON * libm::sqrt(evaluations as f64) * (1.0 + frequency() * DURATION)
+}
+
+/// The exact motion of most requests.
+pub fn motion(start: Phase) -> Motion {
+    exact(G_OVER_L, start)
+}
+
+/// `count` times (s), evenly spaced, the last of them at `end`.
+pub fn evenly(count: u32, end: f64) -> Vec<f64> {
+    (1..=count)
+        .map(|k| if k == count { end } else { end * f64::from(k) / f64::from(count) })
+        .collect()
+}
+
+/// A power, with its uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power {
+    /// The power.
+    pub value: f64,
+    /// How far off it may be: twice the standard error of the line, or half of what separates the
+    /// slopes of its two halves if that is more. The second is there because what bends a line is
+    /// no chance: the higher terms of long steps.
+    pub uncertainty: f64,
+}
+
+/// The slope of a line through points (ln x, ln y), by least squares; of at least four.
+pub fn power(points: &[(f64, f64)]) -> Option<Power> {
+    let (slope, error) = line(points).filter(|_| points.len() >= 4)?;
+    let (first, second) = points.split_at(points.len() / 2);
+    let halves = [first, second].map(|half| line(half).map(|(slope, _)| slope));
+    let bent = match halves {
+        [Some(first), Some(second)] => 0.5 * (first - second).abs(),
+        _ => 0.0,
+    };
+    let value = Power { value: slope, uncertainty: libm::fmax(2.0 * error, bent) };
+    (value.value.is_finite() && value.uncertainty.is_finite()).then_some(value)
+}
+
+/// Slope and its standard error.
+fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let n = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let sum =
+        |of: &dyn Fn(f64, f64) -> f64| points.iter().map(|p| of(p.0 - x, p.1 - y)).sum::<f64>();
+    let (squares, products) = (sum(&|dx, _| dx * dx), sum(&|dx, dy| dx * dy));
+    let slope = products / squares;
+    let left = sum(&|dx, dy| (dy - slope * dx) * (dy - slope * dx));
+    let error = libm::sqrt(left / (n - 2.0).max(1.0) / squares);
+    (points.len() >= 2 && squares > 0.0).then_some((slope, error))
+}

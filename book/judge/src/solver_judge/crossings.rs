@@ -1,0 +1,164 @@
+//! Passages through zero.
+
+use super::asked::{Asked, DURATION, apart, motion};
+use super::ladder::Ladder;
+use crate::judge::probe::G_OVER_L;
+use crate::judge::report::{Finding, about, scientific};
+use crate::judge::verdict::{Measured, Verdict};
+use crate::solver::CrossingsRequest;
+use pendula::systems::Phase;
+
+/// Where runs begin whose passages are asked for.
+const RUNS: [(&str, Phase, f64); 6] = [
+    ("a wide swing", Phase::at_rest(2.0), DURATION),
+    ("a slow passage", Phase::at_rest(0.02), DURATION),
+    ("a rotation", Phase { theta: -7.0, omega: 8.0 }, 2.0),
+    ("a start on zero", Phase { theta: 0.0, omega: 3.0 }, DURATION),
+    ("an end on zero", Phase::at_rest(1.0), f64::NAN),
+    ("a run backwards", Phase { theta: -0.7, omega: 2.1 }, -DURATION),
+];
+
+/// The tolerances at which they are asked for: steps are long and short.
+const TOLERANCES: [f64; 2] = [1e-4, 1e-8];
+
+/// What is wrong with the passages of some runs, and how far off the others are.
+#[derive(Clone, Debug)]
+pub struct Passages {
+    wrong: Vec<String>,
+    /// The largest error, over what it may be.
+    ratio: f64,
+    /// Passages that were found, and that there are, in the worst run.
+    counts: (usize, usize),
+    /// Whether all that are missing are of one direction, and every second one is.
+    every_second: bool,
+}
+
+/// The exact times of the passages of a run, in order.
+fn exact_times(start: Phase, until: f64) -> Vec<f64> {
+    const LOOKS: u32 = 4000;
+    let motion = motion(start);
+    let theta = |t: f64| motion.at(t).theta;
+    let at = |k: u32| until * f64::from(k) / f64::from(LOOKS);
+    let mut times = Vec::new();
+    for k in 0..LOOKS {
+        let (mut low, mut high) = (at(k), at(k + 1));
+        let before = theta(low);
+        if before == 0.0 {
+            times.push(low);
+            continue;
+        }
+        if before.is_sign_negative() == theta(high).is_sign_negative() || theta(high) == 0.0 {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let same = theta(middle).is_sign_negative() == before.is_sign_negative();
+            if same { low = middle } else { high = middle }
+        }
+        times.push(high);
+    }
+    times
+}
+
+/// The runs, with the exact times of their passages.
+fn runs() -> impl Iterator<Item = (&'static str, Phase, f64, Vec<f64>)> {
+    RUNS.into_iter().map(|(name, start, until)| {
+        let last = |times: Vec<f64>| times.last().copied().unwrap_or(DURATION);
+        let until = if until.is_nan() { last(exact_times(start, DURATION)) } else { until };
+        (name, start, until, exact_times(start, 1.001 * until))
+    })
+}
+
+impl Passages {
+    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let mut passages =
+            Self { wrong: Vec::new(), ratio: 0.0, counts: (0, 0), every_second: false };
+        for tolerance in TOLERANCES {
+            // Seconds near an end in which a passage may be told or not.
+            let bound = 10.0 * ladder.error_at(tolerance);
+            for (name, start, until, times) in runs() {
+                let request = CrossingsRequest::new(G_OVER_L, start, [0.0, until], tolerance);
+                let found = asked.crossings(&request)?;
+                let speed = |t: f64| motion(start).at(t).omega.abs();
+                let optional = |t: f64| {
+                    let near = |end: f64| (t - end).abs() * speed(t) <= bound.max(1e-9);
+                    near(0.0) || near(until)
+                };
+                let inside = |t: f64| t.abs() <= until.abs() || optional(t);
+                let times: Vec<f64> = times.into_iter().filter(|t| inside(*t)).collect();
+                passages.compare(name, start, bound, &found, &times, optional);
+            }
+        }
+        Ok(passages)
+    }
+
+    fn compare(
+        &mut self,
+        name: &str,
+        start: Phase,
+        bound: f64,
+        found: &[(f64, Phase)],
+        times: &[f64],
+        optional: impl Fn(f64) -> bool,
+    ) {
+        let mut left: Vec<(f64, Phase)> = found.to_vec();
+        let mut missing = Vec::new();
+        let motion = motion(start);
+        for (index, time) in times.iter().enumerate() {
+            let nearest = left
+                .iter()
+                .enumerate()
+                .min_by(|a, b| (a.1.0 - time).abs().total_cmp(&(b.1.0 - time).abs()));
+            let half = times.windows(2).map(|w| 0.5 * (w[1] - w[0]).abs()).fold(0.5, f64::min);
+            match nearest.filter(|(_, it)| (it.0 - time).abs() < half) {
+                Some((k, _)) => {
+                    let (t, z) = left.remove(k);
+                    let exact = motion.at(*time);
+                    let error = apart(G_OVER_L, z, exact).max((t - time).abs() * exact.omega.abs());
+                    // A NaN is worse than all.
+                    if !(error / bound <= self.ratio) {
+                        self.ratio = error / bound;
+                        if !(self.ratio <= 10.0) {
+                            self.wrong
+                                .push(format!("{name}: one is off by {} rad", scientific(error)));
+                        }
+                    }
+                }
+                None if optional(*time) => {}
+                None => missing.push(index),
+            }
+        }
+        let too_many = left.iter().filter(|it| !optional(it.0)).count();
+        if missing.is_empty() && too_many == 0 {
+            return;
+        }
+        let alternate = missing.len() > 1 && missing.windows(2).all(|w| w[1] - w[0] == 2);
+        self.every_second |= alternate;
+        if self.counts == (0, 0) {
+            self.counts = (found.len(), times.len());
+        }
+        self.wrong.push(format!("{name}: {} where there are {}", found.len(), times.len()));
+    }
+
+    /// Whether every second one is missing: those of one direction.
+    pub const fn only_one_way(&self) -> bool {
+        self.every_second
+    }
+
+    pub fn judge(&self) -> Finding {
+        let Self { wrong, ratio, .. } = self;
+        let verdict = match wrong.is_empty() {
+            true => Verdict::of(*ratio, 1.0, 10.0),
+            false => Verdict::Fails,
+        };
+        let measured = match &wrong[..] {
+            [] => format!("each is found, and off by {} of what it may be", about(*ratio)),
+            [first] => first.clone(),
+            [first, .., last] => format!("{first}; {last}"),
+        };
+        let why = "in twelve runs there are to be as many as there are, each off by no more than \
+                   ten times what a run errs at its end"
+            .to_string();
+        Finding { measured, why, ..Finding::number(*ratio, "", 1.0, verdict) }
+    }
+}

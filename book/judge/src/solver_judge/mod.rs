@@ -1,0 +1,185 @@
+//! The judge of solvers that choose their steps by a tolerance, property by property.
+
+mod asked;
+mod crossings;
+mod extremes;
+mod ladder;
+mod look;
+mod outputs;
+mod same;
+mod steps;
+
+use asked::Asked;
+use ladder::Ladder;
+use outputs::{Asking, Many, Outputs, Rows};
+
+use crate::judge::verdict::{Measured, Trouble, Verdict};
+use crate::solver::Solver;
+use crate::stranger::Fault;
+use crate::{Claims, Finding, Report};
+
+/// Judges `solver` by its `claims`.
+///
+/// ```
+/// use pendula::methods::DormandPrince;
+/// use pendula_judge::{ByTolerance, Claims, judge_solver};
+///
+/// let claims = Claims::order(5).estimate(5).free_outputs().crossings();
+/// judge_solver(&ByTolerance::new(DormandPrince), claims).assert();
+/// ```
+///
+/// # Panics
+/// If the solver breaks the protocol, which a program may do, or does not solve; see
+/// [`try_judge_solver`].
+#[track_caller]
+pub fn judge_solver(solver: &dyn Solver, claims: Claims) -> Report {
+    match try_judge_solver(solver, claims) {
+        Ok(report) => report,
+        Err(fault) => panic!("{fault}"),
+    }
+}
+
+/// Judges `solver` by its `claims`.
+///
+/// # Errors
+/// [`Fault::Unsupported`] of one that does not solve; [`Fault::Broken`] says what it did, if it
+/// broke the protocol.
+pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, Fault> {
+    if solver.solve(&extremes::first()) == Err(Fault::Unsupported) {
+        return Err(Fault::Unsupported);
+    }
+    properties(Asked(solver), &claims).map_err(|trouble| match trouble {
+        Trouble::Broken(why) => Fault::Broken(why),
+        other => Fault::Refused(other.to_string()),
+    })
+}
+
+/// What was measured of a solver, from which is told what to look at.
+struct Found {
+    ladder: Ladder,
+    outputs: Option<Outputs>,
+    only_one_way: bool,
+    single: bool,
+}
+
+/// The report, property by property.
+fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
+    let mut judge = Judge { claims, report: Report::default() };
+    let ladder = match Ladder::of(asked) {
+        Ok(ladder) => ladder,
+        Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+        Err(trouble) => {
+            judge.report.findings.push(Finding {
+                name: "tolerance",
+                claimed: judge.implied(),
+                ..Finding::from(trouble)
+            });
+            judge.report.description = "not known, as it does not solve".to_string();
+            judge.report.conclude(claims.are_none());
+            return Ok(judge.report);
+        }
+    };
+    let found = judge.take_all(asked, ladder)?;
+    judge.report.conclude(claims.are_none());
+    judge.report.description = steps::description(&found.ladder);
+    judge.report.look_at = look::at(&judge.report, &found);
+    Ok(judge.report)
+}
+
+/// The report as it grows.
+struct Judge<'c> {
+    claims: &'c Claims,
+    report: Report,
+}
+
+impl Judge<'_> {
+    /// A claim that everybody makes who makes any.
+    fn implied(&self) -> Option<String> {
+        (!self.claims.are_none()).then(|| "implied".to_string())
+    }
+
+    /// Notes what was found of the property `name`. Only a broken protocol ends it all.
+    fn note<T>(
+        &mut self,
+        name: &'static str,
+        claimed: Option<String>,
+        found: Measured<T>,
+        judge: impl FnOnce(&T) -> Finding,
+    ) -> Measured<Option<T>> {
+        let (found, told) = match found {
+            Ok(found) => {
+                let told = judge(&found);
+                (Some(found), told)
+            }
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            Err(trouble) => (None, Finding::from(trouble)),
+        };
+        let verdict = match told.verdict {
+            Verdict::NotMeasured => Verdict::NotMeasured,
+            _ if claimed.is_none() => Verdict::Unclaimed,
+            verdict => verdict,
+        };
+        self.report.findings.push(Finding { name, claimed, verdict, ..told });
+        Ok(found)
+    }
+
+    /// Takes the properties one after the other; what may end a program comes last.
+    fn take_all(&mut self, asked: Asked<'_>, ladder: Ladder) -> Measured<Found> {
+        let claims = self.claims;
+        let implied = self.implied();
+        let claim = |value: Option<u32>| value.map(|value| value.to_string());
+        self.note("tolerance", implied.clone(), Ok(()), |()| steps::tolerance(&ladder))?;
+        let estimate = claim(claims.estimate).or_else(|| implied.clone());
+        self.note("estimate", estimate, steps::counted(&ladder), |()| {
+            steps::estimate(&ladder, claims.estimate)
+        })?;
+        self.note("order", claim(claims.order), steps::counted(&ladder), |()| {
+            steps::order(&ladder, claims.order)
+        })?;
+        let single = steps::single(&ladder);
+        self.note("precision", implied.clone(), Ok(()), |()| steps::precision(&ladder))?;
+        let outputs = Outputs::of(asked, &ladder);
+        let outputs = self.note("output", implied.clone(), outputs, Outputs::judge)?;
+        let free = claims.free_outputs.then(|| "free".to_string()).or_else(|| implied.clone());
+        let asking = Asking::of(asked, &ladder);
+        self.note("free-outputs", free, asking, |asking| asking.judge(claims.free_outputs))?;
+        self.note("rows", implied.clone(), Rows::of(asked, &ladder), Rows::judge)?;
+        let crossings = crossings::Passages::of(asked, &ladder);
+        // A solver need not find them.
+        let claimed = match (&crossings, claims.crossings) {
+            (_, true) => Some("crossings".to_string()),
+            (Err(Trouble::NoAnswer(_)), false) => None,
+            _ => implied.clone(),
+        };
+        let passages = self.note("crossings", claimed, crossings, crossings::Passages::judge)?;
+        let of = [
+            ("back", same::back(asked, &ladder), "backwards"),
+            ("start", same::start(asked, &ladder), "from t₀ = ±10⁶ s on"),
+            ("units", same::units(asked, &ladder), "with time a thousand times as fast, or slow"),
+            ("mirror", same::mirror(asked, &ladder), "from the mirrored run"),
+            ("turn", same::turn(asked, &ladder), "from ten turns on"),
+        ];
+        for (name, off, what) in of {
+            self.note(name, implied.clone(), off, |off| off.judge(what))?;
+        }
+        let other = same::other_answers(asked, &ladder);
+        self.note("repeatable", implied.clone(), other, |other| same::judge_repeatable(*other))?;
+        let driven = extremes::DrivenRuns::of(asked, &ladder);
+        let claimed = implied.clone().filter(|_| !matches!(driven, Err(Trouble::NoAnswer(_))));
+        self.note("driven", claimed, driven, extremes::DrivenRuns::judge)?;
+        self.note("many", implied.clone(), Many::of(asked, &ladder), Many::judge)?;
+        self.note("effort", None, steps::counted(&ladder), |()| steps::effort(&ladder))?;
+        let refusal = extremes::Refusal::of(asked);
+        self.note("refusal", implied, Ok(refusal), extremes::Refusal::judge)?;
+        let only_one_way = passages.is_some_and(|passages| passages.only_one_way());
+        self.report.evidence.tolerances = ladder
+            .rungs
+            .iter()
+            .map(|rung| (rung.tolerance, rung.largest(), rung.evaluations))
+            .collect();
+        if let Some(outputs) = &outputs {
+            self.report.evidence.outputs.clone_from(&outputs.run);
+        }
+        Ok(Found { ladder, outputs, only_one_way, single })
+    }
+}

@@ -1,0 +1,334 @@
+//! States between the steps: whether they are as good as the steps, whether asking for them changes
+//! the run, and whether there are as many as were asked for.
+
+use std::time::Instant;
+
+use super::asked::{self, Asked, DURATION, Power, STARTS, USUAL, evenly, power};
+use super::ladder::{Ladder, Rung};
+use crate::judge::report::{Finding, about, scientific};
+use crate::judge::verdict::{Measured, Trouble, Verdict};
+
+/// States asked for in a run.
+const OUTPUTS: u32 = 1000;
+/// In each of so many parts of the run lies the end of a step, unless the steps are longer than
+/// half a second.
+const PARTS: usize = 20;
+
+/// How the outputs of a run compare with its steps.
+#[derive(Clone, Copy, Debug)]
+struct Compared {
+    tolerance: f64,
+    /// The largest error of all outputs (rad).
+    outputs: f64,
+    /// The largest of the parts' smallest errors (rad), which are those beside the ends of steps.
+    steps: f64,
+    /// When the largest error is (s).
+    worst: f64,
+    /// What rounding may make of either (rad).
+    rounding: f64,
+    evaluations: Option<u64>,
+}
+
+/// The outputs at several tolerances.
+#[derive(Clone, Debug)]
+pub struct Outputs {
+    compared: Vec<Compared>,
+    /// The errors along one run: time (s) and error (rad).
+    pub run: Vec<(f64, f64)>,
+    /// Whether the end of a run is as bad as an output there: that it is one.
+    interpolated_end: bool,
+}
+
+/// Where the run begins whose outputs are looked at.
+const START: pendula::Phase = STARTS[0];
+
+impl Outputs {
+    /// Asks for outputs at every second tolerance of the ladder.
+    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let times = evenly(OUTPUTS, DURATION);
+        let mut outputs = Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false };
+        for Rung { tolerance, evaluations, .. } in ladder.rungs.iter().step_by(2) {
+            let request = asked::from(START, *tolerance).to(&times);
+            let errors = asked.errors(&request)?;
+            let along = || times.iter().copied().zip(errors.iter().copied());
+            let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
+            let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
+            let (worst, largest) =
+                along().fold((0.0, 0.0), |worst, it| if it.1 <= worst.1 { worst } else { it });
+            let evaluations = evaluations.map(|all| all / STARTS.len() as u64);
+            outputs.compared.push(Compared {
+                tolerance: *tolerance,
+                outputs: largest,
+                steps: steps.fold(0.0, libm::fmaximum),
+                worst,
+                rounding: asked::rounding(evaluations.unwrap_or(10_000)),
+                evaluations,
+            });
+            if outputs.run.is_empty() || *tolerance >= 0.9 * USUAL {
+                outputs.run = along().collect();
+            }
+        }
+        if let Some((_, worst)) = outputs.worst().filter(|(ratio, _)| *ratio > WORSE) {
+            let request = asked::from(START, worst.tolerance).to(&[worst.worst]);
+            outputs.interpolated_end = asked.errors(&request)?[0] > 0.3 * worst.outputs;
+        }
+        Ok(outputs)
+    }
+
+    /// How many times worse than it may be the worst output is, tolerance by tolerance. It may be
+    /// as bad as the steps; and, since a tolerance is what a user asks for, as many tolerances off
+    /// as outputs are at looser ones, which an interpolant of the power of the estimate keeps.
+    fn ratios(&self) -> impl Iterator<Item = (f64, &Compared)> {
+        let mut tolerances = f64::INFINITY;
+        self.compared.iter().filter(|it| it.outputs < 0.5).map(move |it| {
+            let least = it.steps.max(tolerances * it.tolerance).max(it.rounding);
+            tolerances = tolerances.min(it.outputs / it.tolerance);
+            (it.outputs / least, it)
+        })
+    }
+
+    fn worst(&self) -> Option<(f64, &Compared)> {
+        self.ratios().max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The power of the step with which the error of the outputs falls, where it is not that of the
+    /// steps.
+    pub fn power(&self) -> Option<Power> {
+        let points = self.compared.iter().filter_map(|it| {
+            let tells = it.outputs > 3.0 * it.steps.max(it.rounding) && it.outputs < 0.1;
+            tells.then_some((libm::log(it.evaluations? as f64), -libm::log(it.outputs)))
+        });
+        power(&points.collect::<Vec<_>>())
+    }
+
+    /// Whether even the end of a run is interpolated, by less than the steps are worth.
+    pub const fn interpolates_the_end(&self) -> bool {
+        self.interpolated_end
+    }
+
+    /// What is to be said of them.
+    pub fn judge(&self) -> Finding {
+        let Some((ratio, worst)) = self.worst() else {
+            return Finding::nothing("no run is accurate enough to tell".to_string());
+        };
+        let Compared { tolerance, outputs, steps, .. } = *worst;
+        let verdict = Verdict::of(ratio, HOLDS, WORSE);
+        let power =
+            self.power().map(|power| format!("; they fall with the power {}", in_words(power)));
+        let measured = format!(
+            "the worst of {OUTPUTS} states between steps is off by {} rad, the steps by {}, at a \
+             tolerance of {}{}",
+            scientific(outputs),
+            scientific(steps),
+            about(tolerance),
+            power.filter(|_| verdict == Verdict::Fails).unwrap_or_default()
+        );
+        let why = format!(
+            "{} times worse than its steps, and than its outputs at looser tolerances are for \
+             theirs; up to {HOLDS:.0} may be chance",
+            rounded(ratio)
+        );
+        Finding { measured, why, ..Finding::number(ratio, "", HOLDS, verdict) }
+    }
+}
+
+/// Up to this ratio outputs are as good as steps: the error swings with the motion by a factor of 2
+/// or 3, and a step more or less makes as much.
+const HOLDS: f64 = 6.0;
+/// Beyond this ratio they are worse.
+const WORSE: f64 = 10.0;
+
+/// A ratio to read.
+pub fn rounded(ratio: f64) -> String {
+    if ratio < 10.0 {
+        format!("{ratio:.1}")
+    } else if ratio < 1e4 {
+        format!("{ratio:.0}")
+    } else {
+        about(ratio).to_string()
+    }
+}
+
+/// A power with its uncertainty.
+pub fn in_words(power: Power) -> String {
+    format!("{:.1} ± {:.1}", power.value, libm::fmax(power.uncertainty, 0.1))
+}
+
+/// The degree of the polynomial whose error falls with this power of the step: "a cubic".
+pub fn polynomial(power: Power) -> String {
+    match libm::round(power.value) as u32 {
+        0 | 1 => "the last step, or a straight line of a wrong slope".to_string(),
+        2 => "a straight line".to_string(),
+        3 => "a parabola".to_string(),
+        4 => "a cubic".to_string(),
+        5 => "a quartic".to_string(),
+        degree => format!("a polynomial of degree {}", degree - 1),
+    }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Whether they ask anything
+// -------------------------------------------------------------------------------------------------
+
+/// What a run with outputs makes of its end.
+#[derive(Clone, Copy, Debug)]
+pub struct Asking {
+    /// Whether the end is the same to the bit.
+    same: bool,
+    /// The errors at the end without outputs and with them (rad).
+    errors: [f64; 2],
+    /// The largest error that a run with this tolerance may have (rad).
+    bound: f64,
+    /// Evaluations without them and with.
+    evaluations: Option<(u64, u64)>,
+}
+
+impl Asking {
+    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let alone = asked::from(START, USUAL).to(&[DURATION]);
+        let outputs = asked::from(START, USUAL).to(&evenly(OUTPUTS, DURATION));
+        let [without, with] = [asked.reply(&alone)?, asked.reply(&outputs)?];
+        let ends = [&without, &with].map(|reply| reply.states[reply.states.len() - 1]);
+        let errors = ends.map(|end| asked::errors(&alone, &[end])[0]);
+        Ok(Self {
+            same: ends[0] == ends[1],
+            errors,
+            bound: 10.0 * ladder.error_at(USUAL),
+            evaluations: without.evaluations.zip(with.evaluations),
+        })
+    }
+
+    /// What is to be said of it, where it is claimed that outputs are free, or not.
+    pub fn judge(&self, claimed: bool) -> Finding {
+        let Self { same, errors: [without, with], bound, evaluations } = *self;
+        let cost = match evaluations {
+            Some((without, with)) if with > without => {
+                format!(", with {} times the evaluations", rounded(with as f64 / without as f64))
+            }
+            _ => String::new(),
+        };
+        let verdict = match Verdict::of(with, bound, bound) {
+            Verdict::Holds if claimed && !same => Verdict::Fails,
+            other => other,
+        };
+        let measured = match (same, verdict) {
+            (true, _) => format!("free: the same end to the bit{cost}"),
+            (false, Verdict::Fails) if with > bound => {
+                format!(
+                    "{OUTPUTS} outputs change the end from {} to {} rad",
+                    scientific(without),
+                    scientific(with)
+                )
+            }
+            _ => format!("it stops at them{cost}"),
+        };
+        let why = format!(
+            "the end is off by {} rad without outputs and by {} with them; a run with this \
+             tolerance may be off by {}",
+            scientific(without),
+            scientific(with),
+            about(bound)
+        );
+        Finding { measured, why, ..Finding::number(with, "rad", bound, verdict) }
+    }
+}
+
+// -------------------------------------------------------------------------------------------------
+// Rows
+// -------------------------------------------------------------------------------------------------
+
+/// Times that are easily forgotten.
+const ROWS: [(&str, fn() -> Vec<f64>); 6] = [
+    ("equal times", || vec![4.0, 4.0, 4.0, 7.0, 7.0]),
+    ("times at the start", || vec![0.0, 0.0, 5.0]),
+    ("the start alone", || vec![0.0]),
+    ("the last time twice", || vec![3.0, DURATION, DURATION]),
+    ("a thousand times within a step", || (0..1000).map(|k| 5.0 + 1e-9 * f64::from(k)).collect()),
+    ("times of a run backwards", || vec![0.0, -3.0, -3.0, -DURATION]),
+];
+
+/// Rows that were not right: which, and why; and the largest error of those that came.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    wrong: Vec<String>,
+    refused: Vec<String>,
+    largest: f64,
+    bound: f64,
+}
+
+impl Rows {
+    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let bound = 10.0 * ladder.error_at(USUAL);
+        let mut rows = Self { wrong: Vec::new(), refused: Vec::new(), largest: 0.0, bound };
+        for (name, times) in ROWS {
+            match asked.errors(&asked::from(START, USUAL).to(&times())) {
+                Ok(errors) => {
+                    let largest = errors.iter().copied().fold(0.0, libm::fmaximum);
+                    rows.largest = libm::fmaximum(rows.largest, largest);
+                    if !(largest <= bound) {
+                        rows.wrong.push(format!("{name}: off by {} rad", scientific(largest)));
+                    }
+                }
+                Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+                Err(Trouble::NoAnswer(why)) => rows.refused.push(format!("{name}: {why}")),
+                Err(trouble) => rows.wrong.push(format!("{name}: {trouble}")),
+            }
+        }
+        Ok(rows)
+    }
+
+    pub fn judge(&self) -> Finding {
+        let Self { wrong, refused, largest, bound } = self;
+        let (verdict, measured) = match (&wrong[..], &refused[..]) {
+            ([], []) => (Verdict::Holds, "as many as asked for, at times of all kinds".to_string()),
+            ([], refused) => (Verdict::Unclear, format!("refused: {}", refused.join("; "))),
+            (wrong, _) => (Verdict::Fails, wrong.join("; ")),
+        };
+        let why = format!("each time has its row, off by {} rad at most", about(*bound));
+        Finding { measured, why, ..Finding::number(*largest, "rad", *bound, verdict) }
+    }
+}
+
+/// How the time goes with the number of outputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Many {
+    /// For a tenth of them and for all (s).
+    took: [f64; 2],
+    largest: f64,
+    bound: f64,
+}
+
+const MANY: u32 = 100_000;
+
+impl Many {
+    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let timed = |count: u32| -> Measured<(f64, Vec<f64>)> {
+            let request = asked::from(START, USUAL).to(&evenly(count, DURATION));
+            let begun = Instant::now();
+            let states = asked.reply(&request)?.states;
+            let took = begun.elapsed().as_secs_f64();
+            Ok((took, asked::errors(&request, &states)))
+        };
+        let ((tenth, _), (all, errors)) = (timed(MANY / 10)?, timed(MANY)?);
+        let largest = errors.into_iter().fold(0.0, libm::fmaximum);
+        Ok(Self { took: [tenth, all], largest, bound: 10.0 * ladder.error_at(USUAL) })
+    }
+
+    /// What is to be said of it. Ten times the outputs take ten times as long where the time is
+    /// linear, and a hundred times where it is not; less than a second is not worth a complaint.
+    pub fn judge(&self) -> Finding {
+        let Self { took: [tenth, all], largest, bound } = *self;
+        let ratio = all / tenth.max(1e-9);
+        let slow = ratio > 40.0 && all > 1.0;
+        let verdict = if slow { Verdict::Fails } else { Verdict::of(largest, bound, bound) };
+        let measured = match slow {
+            true => format!(
+                "{MANY} outputs take {all:.1} s, {ratio:.0} times as long as a tenth of them"
+            ),
+            false => format!("{MANY} outputs, off by {} rad at most", scientific(largest)),
+        };
+        let why =
+            format!("a tenth of them took {tenth:.2} s; a run may be off by {} rad", about(bound));
+        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
+    }
+}

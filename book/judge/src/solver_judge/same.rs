@@ -1,0 +1,145 @@
+//! What a right answer does not depend on: direction and origin of time, its unit, the mirror, full
+//! turns, and what was asked before.
+
+use core::f64::consts::TAU;
+
+use super::asked::{self, Asked, DURATION, STARTS, USUAL};
+use super::ladder::Ladder;
+use super::outputs::rounded;
+use crate::judge::probe::{G_OVER_L, frequency};
+use crate::judge::report::{Finding, about, scientific};
+use crate::judge::verdict::{Measured, Verdict};
+use crate::solver::SolveRequest;
+use pendula::systems::Phase;
+
+/// An error, and what it may be (rad).
+#[derive(Clone, Copy, Debug)]
+pub struct Off {
+    largest: f64,
+    bound: f64,
+    usual: f64,
+}
+
+impl Off {
+    /// What is to be said of the error of `what`.
+    pub fn judge(&self, what: &str) -> Finding {
+        let Self { largest, bound, usual } = *self;
+        let verdict = Verdict::of(largest, bound, 10.0 * bound);
+        let measured = format!("off by {} rad {what}", scientific(largest));
+        let why = format!(
+            "at the same tolerance a usual run is off by {}, and {} is allowed here",
+            scientific(usual),
+            about(bound)
+        );
+        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
+    }
+}
+
+/// The largest error of these requests (rad).
+fn largest(asked: Asked<'_>, requests: impl IntoIterator<Item = SolveRequest>) -> Measured<f64> {
+    requests.into_iter().try_fold(0.0, |largest, request| {
+        let errors = asked.errors(&request)?;
+        Ok(errors.into_iter().fold(largest, libm::fmaximum))
+    })
+}
+
+/// Runs backwards, from the start into the past and from the exact end to the start.
+pub fn back(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let past = STARTS.map(|start| asked::from(start, USUAL).to(&[-DURATION / 2.0, -DURATION]));
+    let returning = STARTS.map(|start| {
+        asked::from(asked::motion(start).at(DURATION), USUAL).from(DURATION).to(&[0.0])
+    });
+    let usual = ladder.error_at(USUAL);
+    Ok(Off {
+        largest: largest(asked, past.into_iter().chain(returning))?,
+        bound: 10.0 * usual,
+        usual,
+    })
+}
+
+/// How far from zero time begins (s).
+const FAR: f64 = 1e6;
+
+/// Runs that begin at t₀ = ±10⁶ s. Each step rounds t there by half a unit in the last place, and
+/// always alike if the steps are; the state moves by at most 2.3 ω₀ in a second, here.
+pub fn start(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let evaluations = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1 * USUAL);
+    let evaluations = evaluations.and_then(|rung| rung.evaluations).unwrap_or(30_000);
+    let steps = evaluations as f64 / STARTS.len() as f64;
+    let clock = steps * 0.5 * f64::EPSILON * FAR * 2.3 * frequency();
+    let far = [FAR, -FAR].into_iter().flat_map(|from| {
+        STARTS.map(|start| asked::from(start, USUAL).from(from).to(&[from + DURATION]))
+    });
+    let usual = ladder.error_at(USUAL);
+    Ok(Off { largest: largest(asked, far)?, bound: 10.0 * usual + clock, usual })
+}
+
+/// How many times as fast, and as slow, time is counted.
+const FASTER: f64 = 1e3;
+
+/// Runs in other units of time. A solver with one absolute tolerance for θ and ω, which is a common
+/// choice, allows ω up to 1/ω₀ times as much in slow units, and no more.
+pub fn units(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let usual = ladder.error_at(USUAL);
+    let looser = FASTER / frequency();
+    let counted = [FASTER, 1.0 / FASTER].into_iter().flat_map(|faster| {
+        STARTS.map(|start| {
+            let start = Phase { omega: start.omega * faster, ..start };
+            let g_over_l = G_OVER_L * faster * faster;
+            SolveRequest::new(g_over_l, start, USUAL).to(&[DURATION / faster])
+        })
+    });
+    Ok(Off { largest: largest(asked, counted)?, bound: 10.0 * usual * looser, usual })
+}
+
+/// Runs of the mirrored pendulum against those of the pendulum. They may round differently, and so
+/// take another step.
+pub fn mirror(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let usual = ladder.error_at(USUAL);
+    let mut largest = 0.0;
+    for start in STARTS {
+        let mirrored = Phase { theta: -start.theta, omega: -start.omega };
+        let [here, there] =
+            [start, mirrored].map(|start| asked::from(start, USUAL).to(&[DURATION]));
+        let (here, there) = (asked.reply(&here)?.states[0], asked.reply(&there)?.states[0]);
+        let back = Phase { theta: -there.theta, omega: -there.omega };
+        largest = libm::fmaximum(largest, asked::apart(G_OVER_L, here, back));
+    }
+    Ok(Off { largest, bound: 3.0 * usual, usual })
+}
+
+/// Runs that begin ten full turns further: the relative tolerance allows θ as much more.
+pub fn turn(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let usual = ladder.error_at(USUAL);
+    let further = STARTS.map(|start| {
+        let start = Phase { theta: start.theta + 10.0 * TAU, ..start };
+        asked::from(start, USUAL).to(&[DURATION])
+    });
+    Ok(Off { largest: largest(asked, further)?, bound: 10.0 * usual * 10.0 * TAU, usual })
+}
+
+/// Whether the ends of the ladder come out the same when they are asked for again.
+pub fn other_answers(asked: Asked<'_>, ladder: &Ladder) -> Measured<usize> {
+    let mut other = 0;
+    for rung in ladder.rungs.iter().filter(|rung| rung.tolerance > 0.9 * USUAL).rev().take(3) {
+        for (start, before) in STARTS.into_iter().zip(rung.ends) {
+            let now = asked.reply(&asked::from(start, rung.tolerance).to(&[DURATION]))?.states[0];
+            other += usize::from(now != before);
+        }
+    }
+    Ok(other)
+}
+
+/// What is to be said of other answers.
+pub fn judge_repeatable(other: usize) -> Finding {
+    let verdict = if other == 0 { Verdict::Holds } else { Verdict::Fails };
+    let measured = match other {
+        0 => "the same answers to the same questions".to_string(),
+        other => format!(
+            "{} of 9 answers are others when they are asked for again",
+            rounded(other as f64).trim_end_matches(".0")
+        ),
+    };
+    let why = "each request starts afresh".to_string();
+    Finding { measured, why, ..Finding::number(other as f64, "", 0.0, verdict) }
+}

@@ -1,0 +1,210 @@
+//! What the ladder of tolerances tells: whether the tolerance is kept, the power of the estimate,
+//! the order, the precision and the effort.
+
+use super::asked::Power;
+use super::ladder::{Ladder, Rung};
+use super::outputs::{in_words, rounded};
+use crate::judge::report::{Finding, about, scientific};
+use crate::judge::verdict::{Measured, Trouble, Verdict};
+use crate::solver::{ByTolerance, Solver};
+use pendula::methods::{Dop853, DormandPrince};
+
+use super::asked::Asked;
+
+/// By what the error may rise from one tolerance to a smaller one. Those of right solvers swing by
+/// up to 3: of the three runs whose mean it is, one may have an error that vanishes by chance.
+const RISE: f64 = 6.0;
+
+/// Whether the error falls with the tolerance.
+///
+/// Of a method of order p with an estimate of power q at most p + 1, the error goes as tol^(p/q):
+/// at least as tol^(p/(p + 1)), and a fifth less is allowed for what bends the line.
+pub fn tolerance(ladder: &Ladder) -> Finding {
+    let (rise, at) = ladder.rise();
+    let times = multiple(ladder);
+    let beside = multiple(&reference(&ByTolerance::new(DormandPrince)));
+    let Some(slope) = ladder.by_tolerance() else {
+        let measured = "it does not fall: no four tolerances have an error between rounding and \
+                        0.1 rad";
+        let worst = ladder.rungs.iter().map(Rung::largest).fold(0.0, libm::fmaximum);
+        // All of them rounding: better than asked.
+        let verdict = if worst < 1e-6 { Verdict::Unclear } else { Verdict::Fails };
+        return Finding {
+            measured: measured.to_string(),
+            ..Finding::number(worst, "rad", 0.1, verdict)
+        };
+    };
+    let order = ladder.order().map_or(1.0, |order| libm::fmax(order.value, 1.0));
+    let least = 0.8 * order / (order + 1.0);
+    let by_slope = Verdict::of(least - slope.value, 0.0, slope.uncertainty);
+    let by_rise = Verdict::of(rise, RISE, 3.0 * RISE);
+    let by_floor = if ladder.floor().is_some() { Verdict::Fails } else { Verdict::Holds };
+    let verdicts = [by_slope, by_rise, by_floor];
+    let verdict = [Verdict::Fails, Verdict::Unclear].into_iter().find(|it| verdicts.contains(it));
+    let verdict = verdict.unwrap_or(Verdict::Holds);
+    let ended = ladder.ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default();
+    let measured = match ladder.floor() {
+        Some((floor, error)) => format!(
+            "below {} the tolerance does nothing: the error stays at {} rad",
+            about(floor),
+            scientific(error)
+        ),
+        None if by_rise == Verdict::Fails => {
+            format!("at {} the error rises {} times", about(at), rounded(rise))
+        }
+        None => format!(
+            "the error goes as tol^{}; it is {} times the tolerance at 10⁻⁷{ended}",
+            in_words(slope),
+            times.map_or("–".to_string(), rounded)
+        ),
+    };
+    let why = format!(
+        "it has to fall at least as tol^{least:.2}, and never to rise more than {RISE:.0} times; \
+         Dormand–Prince's error is {} times the tolerance",
+        beside.map_or("–".to_string(), rounded)
+    );
+    Finding { measured, values: vec![slope.value, rise], verdict, why, ..Finding::default() }
+}
+
+/// How many times the tolerance the error is, at 10⁻⁷.
+fn multiple(ladder: &Ladder) -> Option<f64> {
+    let rung = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1e-7)?;
+    Some(rung.largest() / rung.tolerance)
+}
+
+/// The ladder of a method of the library.
+fn reference(solver: &dyn Solver) -> Ladder {
+    Ladder::of(Asked(solver)).unwrap_or(Ladder { rungs: Vec::new(), ended: None })
+}
+
+/// Whether somebody counts.
+pub fn counted(ladder: &Ladder) -> Measured<()> {
+    match ladder.rungs.iter().all(|rung| rung.evaluations.is_some_and(|n| n > 0)) {
+        true => Ok(()),
+        false => Err(Trouble::NoAnswer("it does not count its evaluations".to_string())),
+    }
+}
+
+/// Below this power an estimate is that of a wrong weight: the error of every consistent pair is of
+/// second power at least.
+const HOPELESS: f64 = 1.5;
+
+/// The power of the estimate, from the evaluations.
+pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Finding {
+    let Some(power) = ladder.estimate().or_else(|| ladder.any_estimate()) else {
+        return Finding::nothing("fewer than four tolerances tell".to_string());
+    };
+    let (verdict, why) = match claimed {
+        Some(claimed) => (by_claim(power, claimed), window(claimed)),
+        None => (
+            Verdict::of(-power.value, -HOPELESS, -HOPELESS),
+            format!("an estimate that is one falls with the power {HOPELESS} at least"),
+        ),
+    };
+    let measured =
+        format!("evaluations grow as tol^(−1/q) with q = {}{}", in_words(power), varies(power));
+    Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() }
+}
+
+/// How far from the claimed power the measured one may be: an eighth of it, and half more. The
+/// powers of Dormand–Prince and DOP853 come out 0.3 and 0.5 above theirs, as steps that are not
+/// short have higher terms.
+fn allowed(claimed: u32) -> f64 {
+    0.5 + f64::from(claimed) / 8.0
+}
+
+fn by_claim(power: Power, claimed: u32) -> Verdict {
+    let off = (power.value - f64::from(claimed)).abs();
+    Verdict::of(off, allowed(claimed), allowed(claimed) + power.uncertainty)
+}
+
+fn window(claimed: u32) -> String {
+    format!("claimed {claimed}, and {:.1} more or less may come of long steps", allowed(claimed))
+}
+
+/// What is said where no one power fits.
+fn varies(power: Power) -> &'static str {
+    if power.value > 10.0 || power.uncertainty > 2.0 {
+        ", as of a method whose order varies"
+    } else {
+        ""
+    }
+}
+
+/// The order, from error against evaluations.
+pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Finding {
+    let Some(power) = ladder.order() else {
+        return Finding::nothing("fewer than four tolerances tell".to_string());
+    };
+    let (verdict, why) = match claimed {
+        // More than is claimed is no complaint.
+        Some(claimed) if power.value > f64::from(claimed) => (Verdict::Holds, window(claimed)),
+        Some(claimed) => (by_claim(power, claimed), window(claimed)),
+        None => (Verdict::Unclaimed, String::new()),
+    };
+    let measured = format!(
+        "the error falls with the power {} of the evaluations{}",
+        in_words(power),
+        varies(power)
+    );
+    Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() }
+}
+
+/// Whether all ends are numbers of single precision, which is no chance.
+pub fn single(ladder: &Ladder) -> bool {
+    let mut numbers =
+        ladder.rungs.iter().flat_map(|rung| rung.ends).flat_map(|z| [z.theta, z.omega]);
+    numbers.all(|x| f64::from(x as f32) == x)
+}
+
+/// The smallest error that it comes to.
+pub fn precision(ladder: &Ladder) -> Finding {
+    let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
+    let verdict = if single(ladder) { Verdict::Fails } else { Verdict::Holds };
+    let measured = match single(ladder) {
+        true => format!(
+            "its states are numbers of single precision, off by {} rad at best",
+            scientific(least)
+        ),
+        false => format!("off by {} rad at best", scientific(least)),
+    };
+    let why = "a double has sixteen digits, and a single seven".to_string();
+    Finding { measured, values: vec![least], unit: "rad", verdict, why, ..Finding::default() }
+}
+
+/// Evaluations beside those of the library for the same error.
+pub fn effort(ladder: &Ladder) -> Finding {
+    let at = |ladder: &Ladder, error: f64| {
+        let points = ladder.rungs.windows(2).find_map(|pair| {
+            let (a, b) = (pair[0].mean(), pair[1].mean());
+            let (n, m) = (pair[0].evaluations? as f64, pair[1].evaluations? as f64);
+            (a >= error && error > b)
+                .then(|| n * libm::pow(m / n, libm::log(a / error) / libm::log(a / b)))
+        });
+        points
+    };
+    let others =
+        [reference(&ByTolerance::new(DormandPrince)), reference(&ByTolerance::new(Dop853))];
+    let ratios: Option<Vec<f64>> =
+        others.iter().map(|it| Some(at(ladder, 1e-6)? / at(it, 1e-6)?)).collect();
+    let Some(values) = ratios else {
+        return Finding::nothing("no run is off by 10⁻⁶ rad".to_string());
+    };
+    let [by_5, by_8] = [values[0], values[1]].map(rounded);
+    let measured = format!(
+        "{by_5} times the evaluations of Dormand–Prince 5(4) for an error of 10⁻⁶ rad, and {by_8} \
+         times those of DOP853"
+    );
+    Finding { measured, values, verdict: Verdict::Unclaimed, ..Finding::default() }
+}
+
+/// What it is, in words.
+pub fn description(ladder: &Ladder) -> String {
+    let power = |power: Option<Power>| power.map(in_words);
+    match (power(ladder.order()), power(ladder.estimate())) {
+        (Some(order), Some(estimate)) => {
+            format!("a solver of order {order} with an estimate of power {estimate}")
+        }
+        _ => "a solver that does not tell its order".to_string(),
+    }
+}
