@@ -1,7 +1,7 @@
 //! Passages through zero.
 
 use super::asked::{Asked, DURATION, apart, motion};
-use super::ladder::Ladder;
+use super::ladder::{Ladder, Rung};
 use crate::judge::probe::G_OVER_L;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
@@ -18,8 +18,14 @@ const RUNS: [(&str, Phase, f64); 6] = [
     ("a run backwards", Phase { theta: -0.7, omega: 2.1 }, -DURATION),
 ];
 
-/// The tolerances at which they are asked for: steps are long and short.
-const TOLERANCES: [f64; 2] = [1e-4, 1e-8];
+/// The tolerances at which they are asked for: steps are long and short. The second is the smallest
+/// to 10⁻¹¹ whose runs are not long.
+fn tolerances(ladder: &Ladder) -> [f64; 2] {
+    let quick =
+        |rung: &&Rung| rung.tolerance > 0.9e-11 && rung.evaluations.is_none_or(|n| n < 40_000);
+    let last = ladder.rungs.iter().filter(quick).map(|rung| rung.tolerance).fold(1e-4, f64::min);
+    [1e-4, last]
+}
 
 /// What is wrong with the passages of some runs, and how far off the others are.
 #[derive(Clone, Debug)]
@@ -73,7 +79,7 @@ impl Passages {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
         let mut passages =
             Self { wrong: Vec::new(), ratio: 0.0, counts: (0, 0), every_second: false };
-        for tolerance in TOLERANCES {
+        for tolerance in tolerances(ladder) {
             // Seconds near an end in which a passage may be told or not.
             let bound = 10.0 * ladder.error_at(tolerance);
             for (name, start, until, times) in runs() {

@@ -3,7 +3,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::asked::{self, Asked, DURATION, Power, STARTS, power, rounding};
+use super::asked::{self, Asked, DURATION, Power, STARTS, USUAL, power, rounding};
 use crate::judge::verdict::{Measured, Trouble};
 
 /// A tolerance, and what came of it.
@@ -36,10 +36,21 @@ impl Rung {
         rounding(self.evaluations.unwrap_or(30_000) / STARTS.len() as u64)
     }
 
-    /// Whether its error is that of the steps: neither rounding nor as large as the motion.
-    fn tells(&self) -> bool {
-        self.mean() > 3.0 * self.rounding() && self.largest() < 0.1
+    /// Whether its error is that of the steps, neither rounding nor more than `most` (rad).
+    fn tells(&self, most: f64) -> bool {
+        self.mean() > 3.0 * self.rounding() && self.largest() < most
     }
+}
+
+/// An error that falls no more.
+#[derive(Clone, Copy, Debug)]
+pub struct Floor {
+    /// The tolerance from which on it does not.
+    pub tolerance: f64,
+    /// The error there (rad).
+    pub error: f64,
+    /// Whether all runs from there on have the same ends, to the bit: the tolerance does nothing.
+    pub idle: bool,
 }
 
 /// The runs, from loose to tight.
@@ -65,7 +76,7 @@ const RUNGS: i32 = 21;
 
 /// A solver whose estimate is of first power needs ten times the steps for a tenth of the
 /// tolerance: beyond so many evaluations nothing new is to be seen.
-const ENOUGH: u64 = 1_500_000;
+const ENOUGH: u64 = 400_000;
 
 impl Ladder {
     /// Asks as far as patience allows.
@@ -100,40 +111,49 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// The rungs that tell of the steps.
-    fn telling(&self) -> impl Iterator<Item = &Rung> {
-        self.rungs.iter().filter(|rung| rung.tells())
+    /// The line through points of the rungs that tell. Long steps bend it: those with errors beyond
+    /// 10⁻³ rad are left out where six others remain.
+    fn line(&self, point: impl Fn(&Rung) -> Option<(f64, f64)>) -> Option<Power> {
+        let points = |most: f64| -> Vec<(f64, f64)> {
+            self.rungs.iter().filter(|rung| rung.tells(most)).filter_map(&point).collect()
+        };
+        let short = points(1e-3);
+        let points = if short.len() >= 6 { short } else { points(0.1) };
+        power(&points)
     }
 
     /// The power of the tolerance with which the error falls.
     pub fn by_tolerance(&self) -> Option<Power> {
-        let points = self.telling().map(|rung| (libm::log(rung.tolerance), libm::log(rung.mean())));
-        power(&points.collect::<Vec<_>>())
+        self.line(|rung| Some((libm::log(rung.tolerance), libm::log(rung.mean()))))
     }
 
     /// The power of the step with which the estimate falls: evaluations grow as tol^(−1/q).
     pub fn estimate(&self) -> Option<Power> {
-        let points = self.telling().filter_map(|rung| {
-            Some((libm::log(rung.evaluations? as f64), -libm::log(rung.tolerance)))
-        });
-        power(&points.collect::<Vec<_>>())
-    }
-
-    /// The same of all runs, where too few have an error that tells: a solver whose estimate is
-    /// hopeless comes to no small error.
-    pub fn any_estimate(&self) -> Option<Power> {
-        let points = self.rungs.iter().filter_map(|rung| {
-            Some((libm::log(rung.evaluations? as f64), -libm::log(rung.tolerance)))
-        });
-        power(&points.collect::<Vec<_>>())
+        let point =
+            |rung: &Rung| Some((libm::log(rung.evaluations? as f64), -libm::log(rung.tolerance)));
+        // A solver whose estimate is hopeless comes to no small error.
+        self.line(point).or_else(|| power(&self.rungs.iter().filter_map(point).collect::<Vec<_>>()))
     }
 
     /// The power of the number of evaluations with which the error falls.
     pub fn order(&self) -> Option<Power> {
-        let points = self.telling().filter_map(|rung| {
-            Some((libm::log(rung.evaluations? as f64), -libm::log(rung.mean())))
-        });
-        power(&points.collect::<Vec<_>>())
+        self.line(|rung| Some((libm::log(rung.evaluations? as f64), -libm::log(rung.mean()))))
+    }
+
+    /// The tolerance of the runs whose tolerance does not matter: [`USUAL`], or the smallest that
+    /// can be had in time.
+    pub fn usual(&self) -> f64 {
+        let reached = self.rungs.iter().map(|rung| rung.tolerance).filter(|it| *it > 0.9 * USUAL);
+        reached.fold(1e-3, f64::min)
+    }
+
+    /// What the error of such a run may be (rad); no answer where that is as large as the motion.
+    pub fn usual_error(&self) -> Measured<f64> {
+        let error = self.error_at(self.usual());
+        if error < 0.1 {
+            return Ok(error);
+        }
+        Err(Trouble::NoAnswer("no run is accurate enough to tell".to_string()))
     }
 
     /// What the error of a run with this tolerance may be: the largest at it and at its neighbours.
@@ -157,14 +177,18 @@ impl Ladder {
         worst
     }
 
-    /// The tolerance from which on the error falls no more, and that error, if there are two decades
-    /// of such tolerances and more than rounding is left.
-    pub fn floor(&self) -> Option<(f64, f64)> {
+    /// Where the error falls no more, if two decades of tolerances show it and more than rounding is
+    /// left.
+    pub fn floor(&self) -> Option<Floor> {
         let last = self.rungs.last()?;
         let least = self.rungs.iter().map(Rung::mean).fold(f64::INFINITY, f64::min);
-        let reached = self.rungs.iter().find(|rung| rung.mean() < 3.0 * least)?;
-        let flat = reached.tolerance / last.tolerance > 90.0;
-        (flat && least > 3.0 * last.rounding()).then_some((reached.tolerance, least))
+        let first = self.rungs.iter().position(|rung| rung.mean() < 3.0 * least)?;
+        let flat = &self.rungs[first..];
+        let is_flat = flat[0].tolerance / last.tolerance > 90.0;
+        let idle = flat[1..].iter().all(|rung| rung.ends == last.ends);
+        let is_more = least > 3.0 * last.rounding();
+        let floor = Floor { tolerance: flat[0].tolerance, error: least, idle };
+        (is_flat && is_more && least < 0.1).then_some(floor)
     }
 }
 

@@ -1,77 +1,200 @@
 //! What to look at where a claim of a solver fails: the cause first.
 
+use core::f64::consts::TAU;
+
 use super::Found;
-use super::outputs::{Outputs, polynomial, rounded};
-use crate::judge::report::{Report, about};
+use super::asked::{DURATION, STARTS, apart, motion};
+use super::ladder::{Floor, Ladder};
+use super::outputs::{Outputs, in_words, polynomial, rounded};
+use crate::judge::probe::G_OVER_L;
+use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
+use pendula::Phase;
 
 /// The most that is said.
 const MOST: usize = 3;
 
-/// At most three sentences.
+/// A cause, and the properties that fail by it.
+type Cause = (String, &'static [&'static str]);
+
+/// What fails where the end of a run is wrong.
+const END: &[&str] = &["tolerance", "order", "estimate", "output", "start"];
+/// What fails where outputs are wrong.
+const OUTPUT: &[&str] = &["output", "order", "rows", "crossings", "many", "free-outputs"];
+
+/// At most three sentences; none of a failure that one before it explains.
 pub fn at(report: &Report, found: &Found) -> Vec<String> {
-    let fails = |name: &str| {
-        let finding = report.finding(name);
-        finding.is_some_and(|finding| finding.verdict == Verdict::Fails)
-    };
-    let mut causes = Vec::new();
-    let mut say = |holds: bool, sentence: &dyn Fn() -> String| {
-        if holds {
-            causes.push(sentence());
+    let failing: Vec<&str> = report
+        .findings
+        .iter()
+        .filter(|it| it.verdict == Verdict::Fails)
+        .map(|it| it.name)
+        .collect();
+    let mut left = failing.clone();
+    let mut said = Vec::new();
+    for (property, cause) in CAUSES {
+        if !left.contains(property) {
+            continue;
         }
+        let Some((sentence, explains)) = cause(found) else { continue };
+        left.retain(|name| !explains.contains(name));
+        said.push(sentence);
+    }
+    said.truncate(MOST);
+    said
+}
+
+/// A property, and what is to be said where it fails, if that is known.
+type Known = (&'static str, fn(&Found) -> Option<Cause>);
+
+const CAUSES: &[Known] = &[
+    ("precision", |_| Some(("States are numbers of single precision.".to_string(), END))),
+    ("tolerance", |found| wrapped(&found.ladder)),
+    ("tolerance", |found| other_time(&found.ladder)),
+    ("estimate", |found| {
+        let hopeless = found.ladder.estimate().is_some_and(|power| power.value < 1.5);
+        let sentence = "The estimate is of first power: a weight of the embedded method is wrong.";
+        hopeless.then(|| (sentence.to_string(), &["estimate", "tolerance"][..]))
+    }),
+    ("start", |_| {
+        let sentence = "Far from t = 0 it is wrong: time is in single precision, or what is \
+                        compared with it is too coarse.";
+        Some((sentence.to_string(), END))
+    }),
+    ("output", |found| found.outputs.as_ref().map(between_steps)),
+    ("tolerance", |found| found.ladder.floor().map(no_further)),
+    ("tolerance", |found| Some(uneven(&found.ladder))),
+    ("order", |found| {
+        let order = found.ladder.order()?;
+        let sentence = format!(
+            "The error falls with the power {} of the evaluations: a coefficient of a stage or of \
+             the step is wrong, or the result of the lower order is handed on.",
+            in_words(order)
+        );
+        Some((sentence, &["order", "estimate"]))
+    }),
+    ("back", |_| {
+        let sentence = "Backwards it is wrong: look at the sign of the step where times are \
+                        compared.";
+        Some((sentence.to_string(), &["back", "rows", "crossings"]))
+    }),
+    ("rows", |_| Some(("Some times have no row, or that of another.".to_string(), OUTPUT))),
+    ("free-outputs", |_| Some(("Asking for outputs changes the run.".to_string(), &[]))),
+    ("crossings", |found| {
+        found
+            .only_one_way
+            .then(|| ("Every second crossing is missed.".to_string(), &["crossings"][..]))
+    }),
+    ("units", |_| {
+        let sentence = "A constant in seconds is in it: a smallest, largest or first step.";
+        Some((sentence.to_string(), &[]))
+    }),
+    ("mirror", |_| {
+        Some(("The error of a step has a sign where its size is meant.".to_string(), &[]))
+    }),
+    ("driven", |_| Some(("The stages do not know the time.".to_string(), &[]))),
+    ("repeatable", |_| Some(("Something is kept from one request to the next.".to_string(), &[]))),
+];
+
+/// Outputs that are worse than steps.
+fn between_steps(outputs: &Outputs) -> Cause {
+    let what = match outputs.power() {
+        Some(power) => polynomial(power),
+        None => "a polynomial of too low a degree".to_string(),
     };
-    let ladder = &found.ladder;
-    let floor = ladder.floor();
-    say(fails("precision"), &|| "States are numbers of single precision.".to_string());
-    let hopeless = ladder.estimate().or_else(|| ladder.any_estimate());
-    let hopeless = hopeless.is_some_and(|power| power.value < 1.5);
-    say(fails("estimate") && hopeless, &|| {
-        "The estimate is of first power: a weight of the embedded method is wrong.".to_string()
-    });
-    say(fails("start") && !found.single && fails("start"), &|| {
-        "Far from t = 0 it is wrong: time is in single precision, or what is compared with it is \
-         too coarse."
-            .to_string()
-    });
-    let interpolated = found.outputs.as_ref().filter(|_| fails("output"));
-    let ends = interpolated.is_some_and(Outputs::interpolates_the_end);
-    let power = interpolated.and_then(Outputs::power);
-    let what = || power.map_or("a polynomial of too low a degree".to_string(), polynomial);
-    say(interpolated.is_some() && ends, &|| {
-        format!("The end of a run is interpolated, like all outputs: they come from {}.", what())
-    });
-    say(interpolated.is_some() && !ends, &|| format!("Outputs come from {}.", what()));
-    say(fails("tolerance") && floor.is_some() && !fails("precision"), &|| {
-        let (tolerance, _) = floor.unwrap_or_default();
-        format!("Below {} the tolerance does nothing.", about(tolerance))
-    });
+    let sentence = match outputs.interpolates_the_end() {
+        true => {
+            format!("The end of a run is interpolated, like all outputs: they come from {what}.")
+        }
+        false => format!("Outputs come from {what}."),
+    };
+    (sentence, OUTPUT)
+}
+
+/// An error that falls no more.
+fn no_further(floor: Floor) -> Cause {
+    let below = about(floor.tolerance);
+    let sentence = match floor.idle {
+        true => format!("Below {below} the tolerance does nothing."),
+        false => format!(
+            "Below {below} the error stays at {} rad, though the steps change: something in a run \
+             is not held to the tolerance, as a first step that is not checked.",
+            scientific(floor.error)
+        ),
+    };
+    (sentence, END)
+}
+
+/// An error that does not follow the tolerance.
+fn uneven(ladder: &Ladder) -> Cause {
     let (rise, tolerance) = ladder.rise();
-    say(fails("tolerance") && floor.is_none() && rise > 18.0, &|| {
-        format!(
-            "At a tolerance of {} the error is {} times that at a looser one: a run may end before \
-             its time, or the slope of a refused step be kept.",
+    let sentence = match (rise > 6.0, ladder.by_tolerance()) {
+        (true, _) => format!(
+            "At a tolerance of {} the error is {} times that at a looser one.",
             about(tolerance),
             rounded(rise)
-        )
+        ),
+        (false, Some(line)) => format!(
+            "The error goes as tol^{} and strays from that {:.1} times: an error is made that the \
+             estimate does not see, as with the slope of a refused step.",
+            in_words(line),
+            line.scatter
+        ),
+        (false, None) => "At no tolerance is it right: a coefficient of a stage or of the step is \
+                          wrong, or the equation."
+            .to_string(),
+    };
+    (sentence, END)
+}
+
+/// An angle that is handed out whole turns off.
+fn wrapped(ladder: &Ladder) -> Option<Cause> {
+    let rung = ladder.rungs.last()?;
+    let wrapped = STARTS.into_iter().zip(rung.ends).any(|(start, end)| {
+        let off = end.theta - motion(start).at(DURATION).theta;
+        let turns = libm::round(off / TAU);
+        turns != 0.0 && (off - turns * TAU).abs() < 1e-3
     });
-    say(fails("tolerance") && floor.is_none() && rise <= 18.0, &|| {
-        "The error falls more slowly than the tolerance: the last step may run over the end, or the \
-         end be interpolated."
-            .to_string()
-    });
-    say(fails("crossings") && found.only_one_way, &|| {
-        "Every second crossing is missed.".to_string()
-    });
-    for (name, sentence) in [
-        ("free-outputs", "Asking for outputs changes the run."),
-        ("back", "Backwards it is wrong: look at the sign of the step where times are compared."),
-        ("units", "A constant in seconds is in it: a smallest, largest or first step."),
-        ("mirror", "The error of a step has a sign where its size is meant."),
-        ("driven", "The stages do not know the time."),
-        ("repeatable", "Something is kept from one request to the next."),
-    ] {
-        say(fails(name), &|| sentence.to_string());
+    let sentence = "The angle is handed out whole turns off: it is to count them.";
+    wrapped.then(|| (sentence.to_string(), END))
+}
+
+/// Ends that are states of another time.
+fn other_time(ladder: &Ladder) -> Option<Cause> {
+    let rung = ladder.rungs.last()?;
+    let shifts: Vec<f64> =
+        STARTS.into_iter().zip(rung.ends).filter_map(|(start, end)| shift(start, end)).collect();
+    let later = shifts.iter().all(|shift| *shift > 0.0);
+    let earlier = shifts.iter().all(|shift| *shift < 0.0);
+    if shifts.len() < STARTS.len() || !(later || earlier) {
+        return None;
     }
-    causes.truncate(MOST);
-    causes
+    let largest = shifts.iter().fold(0.0, |largest: f64, shift| largest.max(shift.abs()));
+    let way = if later {
+        "later: the last step runs over the end"
+    } else {
+        "earlier: a run stops before its end"
+    };
+    Some((format!("At the end it has the state of up to {largest:.2} s {way}."), END))
+}
+
+/// By how much later (s) the exact motion has this state, if it has it, and if that is more than
+/// the error of a phase.
+fn shift(start: Phase, end: Phase) -> Option<f64> {
+    const LOOKS: u32 = 4000;
+    let motion = motion(start);
+    let distance = |t: f64| apart(G_OVER_L, end, motion.at(DURATION + t));
+    let at = |k: u32| DURATION * (2.0 * f64::from(k) / f64::from(LOOKS) - 1.0);
+    let nearest = (0..=LOOKS).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
+    let mut step = DURATION / f64::from(LOOKS);
+    let mut best = nearest;
+    while step > 1e-9 {
+        for shifted in [best - step, best + step] {
+            if distance(shifted) < distance(best) {
+                best = shifted;
+            }
+        }
+        step *= 0.5;
+    }
+    (distance(best) < 0.02 * distance(0.0) && best.abs() > 1e-4).then_some(best)
 }

@@ -3,10 +3,11 @@
 
 use std::time::Instant;
 
-use super::asked::{self, Asked, DURATION, Power, STARTS, USUAL, evenly, power};
+use super::asked::{self, Asked, DURATION, Power, STARTS, evenly, power};
 use super::ladder::{Ladder, Rung};
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
+use pendula::systems::Phase;
 
 /// States asked for in a run.
 const OUTPUTS: u32 = 1000;
@@ -22,8 +23,9 @@ struct Compared {
     outputs: f64,
     /// The largest of the parts' smallest errors (rad), which are those beside the ends of steps.
     steps: f64,
-    /// When the largest error is (s).
+    /// When the largest error is (s), and the state that has it.
     worst: f64,
+    state: Phase,
     /// What rounding may make of either (rad).
     rounding: f64,
     evaluations: Option<u64>,
@@ -35,12 +37,12 @@ pub struct Outputs {
     compared: Vec<Compared>,
     /// The errors along one run: time (s) and error (rad).
     pub run: Vec<(f64, f64)>,
-    /// Whether the end of a run is as bad as an output there: that it is one.
+    /// Whether a run that ends at the worst output has the same state there, to the bit.
     interpolated_end: bool,
 }
 
 /// Where the run begins whose outputs are looked at.
-const START: pendula::Phase = STARTS[0];
+const START: Phase = STARTS[0];
 
 impl Outputs {
     /// Asks for outputs at every second tolerance of the ladder.
@@ -49,28 +51,34 @@ impl Outputs {
         let mut outputs = Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false };
         for Rung { tolerance, evaluations, .. } in ladder.rungs.iter().step_by(2) {
             let request = asked::from(START, *tolerance).to(&times);
-            let errors = asked.errors(&request)?;
+            let states = asked.reply(&request)?.states;
+            let errors = asked::errors(&request, &states);
             let along = || times.iter().copied().zip(errors.iter().copied());
             let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
             let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
-            let (worst, largest) =
-                along().fold((0.0, 0.0), |worst, it| if it.1 <= worst.1 { worst } else { it });
+            // The end itself is no state between steps.
+            let between = along().zip(states).take(OUTPUTS as usize - 1);
+            let (worst, largest, state) =
+                between.fold((0.0, 0.0, START), |worst, ((t, error), z)| {
+                    if error <= worst.1 { worst } else { (t, error, z) }
+                });
             let evaluations = evaluations.map(|all| all / STARTS.len() as u64);
             outputs.compared.push(Compared {
                 tolerance: *tolerance,
                 outputs: largest,
                 steps: steps.fold(0.0, libm::fmaximum),
                 worst,
+                state,
                 rounding: asked::rounding(evaluations.unwrap_or(10_000)),
                 evaluations,
             });
-            if outputs.run.is_empty() || *tolerance >= 0.9 * USUAL {
+            if outputs.run.is_empty() || *tolerance >= 0.9 * ladder.usual() {
                 outputs.run = along().collect();
             }
         }
         if let Some((_, worst)) = outputs.worst().filter(|(ratio, _)| *ratio > WORSE) {
             let request = asked::from(START, worst.tolerance).to(&[worst.worst]);
-            outputs.interpolated_end = asked.errors(&request)?[0] > 0.3 * worst.outputs;
+            outputs.interpolated_end = asked.reply(&request)?.states[0] == worst.state;
         }
         Ok(outputs)
     }
@@ -185,15 +193,15 @@ pub struct Asking {
 
 impl Asking {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let alone = asked::from(START, USUAL).to(&[DURATION]);
-        let outputs = asked::from(START, USUAL).to(&evenly(OUTPUTS, DURATION));
+        let alone = asked::from(START, ladder.usual()).to(&[DURATION]);
+        let outputs = asked::from(START, ladder.usual()).to(&evenly(OUTPUTS, DURATION));
         let [without, with] = [asked.reply(&alone)?, asked.reply(&outputs)?];
         let ends = [&without, &with].map(|reply| reply.states[reply.states.len() - 1]);
         let errors = ends.map(|end| asked::errors(&alone, &[end])[0]);
         Ok(Self {
             same: ends[0] == ends[1],
             errors,
-            bound: 10.0 * ladder.error_at(USUAL),
+            bound: 10.0 * ladder.usual_error()?,
             evaluations: without.evaluations.zip(with.evaluations),
         })
     }
@@ -258,10 +266,10 @@ pub struct Rows {
 
 impl Rows {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let bound = 10.0 * ladder.error_at(USUAL);
+        let bound = 10.0 * ladder.usual_error()?;
         let mut rows = Self { wrong: Vec::new(), refused: Vec::new(), largest: 0.0, bound };
         for (name, times) in ROWS {
-            match asked.errors(&asked::from(START, USUAL).to(&times())) {
+            match asked.errors(&asked::from(START, ladder.usual()).to(&times())) {
                 Ok(errors) => {
                     let largest = errors.iter().copied().fold(0.0, libm::fmaximum);
                     rows.largest = libm::fmaximum(rows.largest, largest);
@@ -303,7 +311,7 @@ const MANY: u32 = 100_000;
 impl Many {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
         let timed = |count: u32| -> Measured<(f64, Vec<f64>)> {
-            let request = asked::from(START, USUAL).to(&evenly(count, DURATION));
+            let request = asked::from(START, ladder.usual()).to(&evenly(count, DURATION));
             let begun = Instant::now();
             let states = asked.reply(&request)?.states;
             let took = begun.elapsed().as_secs_f64();
@@ -311,15 +319,15 @@ impl Many {
         };
         let ((tenth, _), (all, errors)) = (timed(MANY / 10)?, timed(MANY)?);
         let largest = errors.into_iter().fold(0.0, libm::fmaximum);
-        Ok(Self { took: [tenth, all], largest, bound: 10.0 * ladder.error_at(USUAL) })
+        Ok(Self { took: [tenth, all], largest, bound: 10.0 * ladder.usual_error()? })
     }
 
     /// What is to be said of it. Ten times the outputs take ten times as long where the time is
-    /// linear, and a hundred times where it is not; less than a second is not worth a complaint.
+    /// linear, and a hundred times where it is not; less than 0.3 s is not worth a complaint.
     pub fn judge(&self) -> Finding {
         let Self { took: [tenth, all], largest, bound } = *self;
         let ratio = all / tenth.max(1e-9);
-        let slow = ratio > 40.0 && all > 1.0;
+        let slow = ratio > 40.0 && all > 0.3;
         let verdict = if slow { Verdict::Fails } else { Verdict::of(largest, bound, bound) };
         let measured = match slow {
             true => format!(

@@ -15,61 +15,72 @@ use super::asked::Asked;
 /// up to 3: of the three runs whose mean it is, one may have an error that vanishes by chance.
 const RISE: f64 = 6.0;
 
+/// How far the errors may stray from their line: by this factor, root mean square.
+const SCATTER: f64 = 3.0;
+
 /// Whether the error falls with the tolerance.
 ///
 /// Of a method of order p with an estimate of power q at most p + 1, the error goes as tol^(p/q):
 /// at least as tol^(p/(p + 1)), and a fifth less is allowed for what bends the line.
 pub fn tolerance(ladder: &Ladder) -> Finding {
-    let (rise, at) = ladder.rise();
-    let times = multiple(ladder);
-    let beside = multiple(&reference(&ByTolerance::new(DormandPrince)));
     let Some(slope) = ladder.by_tolerance() else {
-        let measured = "it does not fall: no four tolerances have an error between rounding and \
-                        0.1 rad";
-        let worst = ladder.rungs.iter().map(Rung::largest).fold(0.0, libm::fmaximum);
-        // All of them rounding: better than asked.
-        let verdict = if worst < 1e-6 { Verdict::Unclear } else { Verdict::Fails };
-        return Finding {
-            measured: measured.to_string(),
-            ..Finding::number(worst, "rad", 0.1, verdict)
-        };
+        return no_slope(ladder);
     };
+    let (rise, at) = ladder.rise();
     let order = ladder.order().map_or(1.0, |order| libm::fmax(order.value, 1.0));
     let least = 0.8 * order / (order + 1.0);
     let by_slope = Verdict::of(least - slope.value, 0.0, slope.uncertainty);
     let by_rise = Verdict::of(rise, RISE, 3.0 * RISE);
+    let by_scatter = Verdict::of(slope.scatter, SCATTER, 2.0 * SCATTER);
     let by_floor = if ladder.floor().is_some() { Verdict::Fails } else { Verdict::Holds };
-    let verdicts = [by_slope, by_rise, by_floor];
+    let verdicts = [by_floor, by_rise, by_slope, by_scatter];
     let verdict = [Verdict::Fails, Verdict::Unclear].into_iter().find(|it| verdicts.contains(it));
     let verdict = verdict.unwrap_or(Verdict::Holds);
-    let ended = ladder.ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default();
-    let measured = match ladder.floor() {
-        Some((floor, error)) => format!(
-            "below {} the tolerance does nothing: the error stays at {} rad",
-            about(floor),
-            scientific(error)
+    let measured = match (ladder.floor(), by_rise, &ladder.ended) {
+        (Some(floor), _, _) => format!(
+            "below {} the error stays at {} rad",
+            about(floor.tolerance),
+            scientific(floor.error)
         ),
-        None if by_rise == Verdict::Fails => {
+        (None, Verdict::Fails, _) => {
             format!("at {} the error rises {} times", about(at), rounded(rise))
         }
-        None => format!(
-            "the error goes as tol^{}; it is {} times the tolerance at 10⁻⁷{ended}",
+        (None, _, ended) => format!(
+            "the error goes as tol^{}; it is {} times the tolerance at {}{}",
             in_words(slope),
-            times.map_or("–".to_string(), rounded)
+            rounded(multiple(ladder, ladder.usual())),
+            about(ladder.usual()),
+            ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default()
         ),
     };
+    let beside = reference(&ByTolerance::new(DormandPrince));
     let why = format!(
-        "it has to fall at least as tol^{least:.2}, and never to rise more than {RISE:.0} times; \
-         Dormand–Prince's error is {} times the tolerance",
-        beside.map_or("–".to_string(), rounded)
+        "it has to fall at least as tol^{least:.2}, along a line from which it strays {SCATTER:.1} \
+         times at most ({:.1}), and never to rise more than {RISE:.0} times; Dormand–Prince's error \
+         is {} times the tolerance",
+        slope.scatter,
+        rounded(multiple(&beside, ladder.usual()))
     );
     Finding { measured, values: vec![slope.value, rise], verdict, why, ..Finding::default() }
 }
 
-/// How many times the tolerance the error is, at 10⁻⁷.
-fn multiple(ladder: &Ladder) -> Option<f64> {
-    let rung = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1e-7)?;
-    Some(rung.largest() / rung.tolerance)
+/// What is to be said where too few errors tell.
+fn no_slope(ladder: &Ladder) -> Finding {
+    let worst = ladder.rungs.iter().map(Rung::largest).fold(0.0, libm::fmaximum);
+    // All of them rounding is better than asked.
+    let verdict = if worst < 1e-6 { Verdict::Unclear } else { Verdict::Fails };
+    let measured = format!(
+        "of {} runs fewer than four have an error between rounding and 0.1 rad",
+        ladder.rungs.len()
+    );
+    let why = "a line needs four points".to_string();
+    Finding { measured, why, ..Finding::number(worst, "rad", 0.1, verdict) }
+}
+
+/// How many times the tolerance the error is.
+fn multiple(ladder: &Ladder, tolerance: f64) -> f64 {
+    let nearest = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1 * tolerance);
+    nearest.map_or(f64::NAN, |rung| rung.largest() / rung.tolerance)
 }
 
 /// The ladder of a method of the library.
@@ -91,7 +102,7 @@ const HOPELESS: f64 = 1.5;
 
 /// The power of the estimate, from the evaluations.
 pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Finding {
-    let Some(power) = ladder.estimate().or_else(|| ladder.any_estimate()) else {
+    let Some(power) = ladder.estimate() else {
         return Finding::nothing("fewer than four tolerances tell".to_string());
     };
     let (verdict, why) = match claimed {

@@ -10,6 +10,7 @@ pub mod high_order;
 mod list;
 pub mod processed;
 pub mod runge_kutta;
+pub mod solvers;
 pub mod verlet;
 pub mod wrapped;
 

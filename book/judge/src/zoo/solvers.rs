@@ -1,0 +1,553 @@
+//! Wrong solvers, each close to a right one: an embedded method with the library's rules for the
+//! next step, and one slip. Where a mistake was published, it is said where.
+
+use core::cell::Cell;
+use core::f64::consts::{PI, TAU};
+
+use pendula::adaptive::Tolerance;
+use pendula::methods::Dop853;
+use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
+use pendula::systems::{Counting, Driven, Pendulum, Phase, RateOf, System, Vector};
+
+use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
+use crate::stranger::{Fault, Reply, driven};
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slip {
+    /// Nothing.
+    Nothing,
+    /// The slope at the end of a refused step is that of the next attempt's start (ODE.jl 15).
+    RefusedSlopeKept,
+    /// Between steps there are straight lines.
+    OutputsByLine,
+    /// Between steps of order 8 there is a cubic (diffrax, Kvaerno5, has one in an order of 5).
+    OutputsByCubic,
+    /// The end too is interpolated, by a quartic, in a method of order 8 (torchdiffeq, dopri8).
+    EndByQuartic,
+    /// An output is the end of the step that it lies in.
+    OutputsAtStepEnds,
+    /// Between steps there is a cubic with the first slope at both ends.
+    OutputsByOldSlope,
+    /// The run goes on from the interpolated output (OrdinaryDiffEq 556).
+    OutputsMoveTheRun,
+    /// Each row is the one before it.
+    OutputsLate,
+    /// Equal times have one row.
+    EqualTimesDropped,
+    /// A time at the start has no row.
+    StartDropped,
+    /// One output a step (OrdinaryDiffEq 4139: outputs that are left out).
+    OneOutputAStep,
+    /// The times that are done are taken from the front of the list, which moves the others.
+    TimesMoved,
+    /// The tolerance is at least 10⁻⁶.
+    ToleranceFloor,
+    /// After 200 steps it hands out where it is.
+    StepLimit,
+    /// The last step runs over the end.
+    LastStepOver,
+    /// The last step is left out.
+    LastStepShort,
+    /// Time is in single precision.
+    SingleTime,
+    /// The state is in single precision.
+    SingleStates,
+    /// Steps are never shorter than a millisecond.
+    SmallestStep,
+    /// The first step is a quarter of a second, whatever its error.
+    FirstStepUnchecked,
+    /// An error that is negative passes.
+    SignedError,
+    /// A run backwards ends at its start.
+    NeverBackwards,
+    /// Backwards too, an output is due when its time is before the end of the step.
+    BackwardsOutputsEarly,
+    /// All stages see the drive as it is at the start of the step.
+    DriveAtStepStart,
+    /// θ is handed out between −π and π.
+    AngleWrapped,
+    /// The first step is the last one of the request before.
+    StepKept,
+    /// An error that is no number passes, and no tolerance is refused.
+    NanPasses,
+    /// A run to a time that never comes ends at its start.
+    NeverRefused,
+    /// Only passages from below are told.
+    RisingOnly,
+    /// A passage is told at the end of its step (diffrax 416).
+    CrossingAtStepEnd,
+    /// A passage is found on the straight line through a step.
+    CrossingByLine,
+    /// After the first passage the search ends.
+    FirstCrossingOnly,
+}
+
+/// A wrong solver.
+pub struct WrongSolver {
+    /// Its name, as a sentence would have it.
+    pub name: &'static str,
+    /// Its claims, in words.
+    pub claims: &'static str,
+    /// It.
+    pub solver: Box<dyn Solver>,
+}
+
+/// The wrong solvers, after the two right ones of which they are made.
+pub fn wrong_solvers() -> Vec<WrongSolver> {
+    use Slip::*;
+    const FIVE: &str = "order=5 estimate=5 free-outputs crossings";
+    const EIGHT: &str = "order=8 estimate=8 free-outputs crossings";
+    let of = |name, solver| WrongSolver { name, claims: FIVE, solver };
+    let pair =
+        |name, pair: Pair| of(name, Box::new(Slipping::new(pair, Nothing)) as Box<dyn Solver>);
+    let five = |name, slip| of(name, Box::new(Slipping::new(Pair::RIGHT, slip)) as Box<dyn Solver>);
+    let eight = |name, slip| WrongSolver {
+        claims: EIGHT,
+        ..of(name, Box::new(Slipping::new(Dop853, slip)) as Box<dyn Solver>)
+    };
+    vec![
+        five("nothing wrong, order 5", Nothing),
+        eight("nothing wrong, order 8", Nothing),
+        pair("the sign of 1/40 turned", Pair::with_estimate(6, 1.0 / 40.0)),
+        pair("a weight of the estimate left out", Pair::with_estimate(4, 0.0)),
+        pair("two weights of the step exchanged", Pair::RIGHT.with_step_weights_exchanged()),
+        pair("a stage mistyped", Pair::RIGHT.with_stage_mistyped()),
+        pair("the result of order 4 handed on", Pair::RIGHT.of_lower_order()),
+        five("the slope of a refused step kept", RefusedSlopeKept),
+        five("outputs by a straight line", OutputsByLine),
+        eight("outputs by a cubic", OutputsByCubic),
+        eight("the end by a quartic", EndByQuartic),
+        five("outputs at the ends of steps", OutputsAtStepEnds),
+        five("outputs by the old slope", OutputsByOldSlope),
+        five("outputs that move the run", OutputsMoveTheRun),
+        five("outputs one row late", OutputsLate),
+        five("equal times dropped", EqualTimesDropped),
+        five("the time of the start dropped", StartDropped),
+        five("one output a step", OneOutputAStep),
+        five("times moved one by one", TimesMoved),
+        five("a floor under the tolerance", ToleranceFloor),
+        five("a limit of steps that is silent", StepLimit),
+        five("the last step over the end", LastStepOver),
+        five("the last step left out", LastStepShort),
+        five("time in single precision", SingleTime),
+        five("states in single precision", SingleStates),
+        five("a smallest step", SmallestStep),
+        five("a first step unchecked", FirstStepUnchecked),
+        five("an error with a sign", SignedError),
+        five("never backwards", NeverBackwards),
+        five("outputs too early backwards", BackwardsOutputsEarly),
+        five("the drive as at the start of a step", DriveAtStepStart),
+        five("the angle wrapped", AngleWrapped),
+        five("a step kept from the last request", StepKept),
+        five("an error that is no number passes", NanPasses),
+        five("a time that never comes is the start", NeverRefused),
+        five("passages from below only", RisingOnly),
+        five("passages at the ends of steps", CrossingAtStepEnd),
+        five("passages on a straight line", CrossingByLine),
+        five("the first passage only", FirstCrossingOnly),
+    ]
+}
+
+/// An embedded method with one slip in its loop.
+struct Slipping<M> {
+    method: M,
+    slip: Slip,
+    /// The size of the last step of the last request (s).
+    kept: Cell<f64>,
+}
+
+impl<M: Embedded> Slipping<M> {
+    const fn new(method: M, slip: Slip) -> Self {
+        Self { method, slip, kept: Cell::new(0.0) }
+    }
+
+    /// Runs `system` to the times of a request, and hands each step to `look`.
+    fn run<S: System<State = Phase>>(
+        &self,
+        system: &Counting<&S>,
+        request: &SolveRequest,
+        mut look: impl FnMut(&dyn Fn(f64) -> (f64, Phase)),
+    ) -> Result<Vec<Phase>, Fault> {
+        use Slip::*;
+        let is = |slip| self.slip == slip;
+        let (until, duration) = self.end_of(request)?;
+        let tolerance =
+            if is(ToleranceFloor) { request.tolerance.max(1e-6) } else { request.tolerance };
+        let scale = libm::fmin(1.0, libm::sqrt(request.g_over_l));
+        let allowed =
+            Tolerance::new(tolerance * scale, tolerance).or_else(|error| match is(NanPasses) {
+                true => Tolerance::uniform(0.5),
+                false => Err(error),
+            });
+        let allowed = allowed.map_err(|error| Fault::Refused(error.to_string()))?;
+        let order = f64::from(M::ESTIMATE_ORDER);
+        let (mut t, mut z) = (request.from, request.start);
+        let mut times = request.times.clone();
+        let mut done = 0;
+        let mut rows = Vec::new();
+        while done < times.len() && times[done] == t {
+            rows.extend((!is(StartDropped)).then_some(z));
+            done += 1;
+        }
+        let mut slope = system.rate(t, z);
+        let mut h = 1e-3 * duration;
+        if is(FirstStepUnchecked) {
+            h = libm::copysign(0.25, duration);
+        }
+        if is(StepKept) && self.kept.get() != 0.0 {
+            h = libm::copysign(self.kept.get(), duration);
+        }
+        let mut steps = 0;
+        while done < times.len() {
+            if is(NeverBackwards) && duration < 0.0 {
+                rows.resize(times.len(), z);
+                break;
+            }
+            let left = until - t;
+            let is_last = h.abs() >= left.abs();
+            let step = if is_last && !is(LastStepOver) && !is(EndByQuartic) { left } else { h };
+            if is_last && is(LastStepShort) || is(StepLimit) && steps >= 200 {
+                rows.resize(times.len(), z);
+                break;
+            }
+            steps += 1;
+            let (end, stages) = if is(DriveAtStepStart) {
+                let frozen = Frozen { system, t };
+                self.method.attempt(&frozen, t, step, z, slope)
+            } else {
+                self.method.attempt(system, t, step, z, slope)
+            };
+            let mut error = self.method.error(&stages, |rate| {
+                let error = rate * step;
+                let sign = if is(SignedError) { signed(z + error, z) } else { 1.0 };
+                sign * allowed.error_norm(z, end, error)
+            });
+            if is(NanPasses) && request.tolerance.is_nan() {
+                error = f64::NAN;
+            }
+            let wanted = 0.9 * libm::pow(error.abs().max(1e-10), -1.0 / order);
+            let factor = if wanted.is_nan() { 5.0 } else { wanted.clamp(0.2, 5.0) };
+            let is_first = is(FirstStepUnchecked) && steps == 1;
+            let is_smallest = is(SmallestStep) && step.abs() <= 1e-3;
+            h = step * factor;
+            if is_smallest && factor < 1.0 {
+                h = libm::copysign(1e-3, step);
+            }
+            if error > 1.0 && !is_first && !is_smallest {
+                if is(RefusedSlopeKept) {
+                    slope = self.method.end_slope(system, t + step, end, &stages);
+                }
+                if t + 0.1 * h == t {
+                    return Err(Fault::Refused("the step becomes too small".to_string()));
+                }
+                continue;
+            }
+            if steps > 5_000_000 {
+                return Err(Fault::Refused("more than five million steps".to_string()));
+            }
+            let mut end = end;
+            if is(SingleStates) {
+                end = Phase {
+                    theta: f64::from(end.theta as f32),
+                    omega: f64::from(end.omega as f32),
+                };
+            }
+            let mut time = if step == left { until } else { t + step };
+            if is(SingleTime) {
+                time = f64::from(time as f32);
+                if is_last {
+                    time = until;
+                }
+            }
+            let end_slope = self.method.end_slope(system, time, end, &stages);
+            let cubic = hermite(
+                end + z * -1.0,
+                slope * step,
+                if is(OutputsByOldSlope) { slope * step } else { end_slope * step },
+            );
+            let full = core::cell::OnceCell::new();
+            let within = |s: f64| -> Phase {
+                let dense =
+                    full.get_or_init(|| self.method.dense(system, t, step, z, &stages, end_slope));
+                let coefficients = dense.as_ref();
+                let displacement = match self.slip {
+                    OutputsByLine => [coefficients[0]].displacement(s),
+                    OutputsByCubic | OutputsByOldSlope => cubic.displacement(s),
+                    EndByQuartic => {
+                        [coefficients[0], coefficients[1], coefficients[2], coefficients[3]]
+                            .displacement(s)
+                    }
+                    OutputsAtStepEnds => return end,
+                    _ => dense.displacement(s),
+                };
+                displacement.map_or(z, |displacement| z + displacement)
+            };
+            look(&|s| if s == 1.0 { (time, end) } else { (t + s * step, within(s)) });
+            let mut moved = None;
+            while done < times.len() {
+                let due = times[done];
+                let is_due = match is(BackwardsOutputsEarly) {
+                    true => due <= time,
+                    false => (due - time) * duration.signum() <= 0.0,
+                };
+                if !is_due {
+                    break;
+                }
+                let is_end = due == time && !is(EndByQuartic);
+                let last_is_over = is(LastStepOver) && due == until;
+                let row = if is_end || last_is_over { end } else { within((due - t) / step) };
+                let late = is(OutputsLate).then_some(()).and(rows.last().copied());
+                let equal = is(EqualTimesDropped) && done > 0 && times[done - 1] == due;
+                rows.extend((!equal).then_some(late.unwrap_or(row)));
+                if is(TimesMoved) {
+                    times.remove(0);
+                } else {
+                    done += 1;
+                }
+                if is(OutputsMoveTheRun) && !is_end {
+                    moved = Some((due, row));
+                }
+                if is(OneOutputAStep) {
+                    break;
+                }
+            }
+            (t, z, slope) = (time, end, end_slope);
+            if let Some((due, row)) = moved {
+                (t, z) = (due, row);
+                slope = system.rate(t, z);
+            }
+            self.kept.set(h.abs());
+            if is(OneOutputAStep) && t == until {
+                break;
+            }
+        }
+        if is(AngleWrapped) {
+            rows.iter_mut().for_each(|z| z.theta -= TAU * libm::floor((z.theta + PI) / TAU));
+        }
+        Ok(rows)
+    }
+
+    /// The end of a run and its duration (s).
+    fn end_of(&self, request: &SolveRequest) -> Result<(f64, f64), Fault> {
+        let until = request.times.last().copied().unwrap_or(request.from);
+        if (until - request.from).is_finite() {
+            return Ok((until, until - request.from));
+        }
+        match self.slip {
+            Slip::NeverRefused => Ok((request.from, 0.0)),
+            _ => Err(Fault::Refused("a time is not finite".to_string())),
+        }
+    }
+}
+
+/// The sign of the first component of a difference.
+fn signed(a: Phase, b: Phase) -> f64 {
+    if a.theta < b.theta { -1.0 } else { 1.0 }
+}
+
+/// A system whose time stands still.
+struct Frozen<'s, S> {
+    system: &'s S,
+    t: f64,
+}
+
+impl<S: System<State = Phase>> System for Frozen<'_, S> {
+    type State = Phase;
+
+    fn rate(&self, _t: f64, z: Phase) -> RateOf<S> {
+        self.system.rate(self.t, z)
+    }
+}
+
+impl<M: Embedded> Solver for Slipping<M> {
+    fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+        let pendulum = pendulum(request.g_over_l)?;
+        if let Some(drive) = request.drive {
+            let driven: Driven = driven(pendulum, drive)?;
+            let states = self.run(&Counting::new(&driven), request, |_| {})?;
+            return Ok(Reply { states, evaluations: None });
+        }
+        if self.slip == Slip::NeverRefused && self.end_of(request)?.1 == 0.0 {
+            let states = vec![request.start; request.times.len()];
+            return Ok(Reply { states, evaluations: None });
+        }
+        let system = Counting::new(&pendulum);
+        let states = self.run(&system, request, |_| {})?;
+        Ok(Reply { states, evaluations: Some(system.evaluations()) })
+    }
+
+    fn crossings(&self, request: &CrossingsRequest) -> Result<Crossings, Fault> {
+        let CrossingsRequest { g_over_l, start, span: [from, until], tolerance } = *request;
+        let pendulum = pendulum(g_over_l)?;
+        let run = SolveRequest::new(g_over_l, start, tolerance).from(from).to(&[until]);
+        let mut found = Vec::new();
+        self.run(&Counting::new(&pendulum), &run, |step| {
+            let (before, after) = (step(0.0).1.theta, step(1.0).1.theta);
+            let rising = before < 0.0 && after >= 0.0;
+            let falling = before > 0.0 && after <= 0.0 && self.slip != Slip::RisingOnly;
+            if (rising || falling) && (self.slip != Slip::FirstCrossingOnly || found.is_empty()) {
+                found.push(match self.slip {
+                    Slip::CrossingAtStepEnd => step(1.0),
+                    Slip::CrossingByLine => step(before / (before - after)),
+                    _ => bisect(step, before),
+                });
+            }
+        })?;
+        Ok(found)
+    }
+}
+
+fn pendulum(g_over_l: f64) -> Result<Pendulum, Fault> {
+    Pendulum::new(g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
+}
+
+/// Where θ has passed zero, within a step that begins at `before`.
+fn bisect(step: &dyn Fn(f64) -> (f64, Phase), before: f64) -> (f64, Phase) {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..52 {
+        let middle = 0.5 * (low + high);
+        let same = step(middle).1.theta * before > 0.0;
+        if same { low = middle } else { high = middle }
+    }
+    step(high)
+}
+
+// -------------------------------------------------------------------------------------------------
+// Dormand–Prince 5(4), in numbers that can be mistyped
+// -------------------------------------------------------------------------------------------------
+
+/// The stages, the weights of the step and of its estimate (Hairer, Nørsett, Wanner, *Solving
+/// Ordinary Differential Equations I*, Table II.5.2).
+#[derive(Clone, Copy)]
+struct Pair {
+    stages: [[f64; 6]; 7],
+    step: [f64; 7],
+    estimate: [f64; 7],
+}
+
+/// Where the stages are, in steps.
+const NODES: [f64; 7] = [0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
+
+const STEP: [f64; 7] =
+    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0];
+
+impl Pair {
+    const RIGHT: Self = Self {
+        stages: [
+            [0.0; 6],
+            [0.2, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
+            [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
+            [19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
+            [
+                9017.0 / 3168.0,
+                -355.0 / 33.0,
+                46_732.0 / 5247.0,
+                49.0 / 176.0,
+                -5103.0 / 18_656.0,
+                0.0,
+            ],
+            [STEP[0], STEP[1], STEP[2], STEP[3], STEP[4], STEP[5]],
+        ],
+        step: STEP,
+        estimate: [
+            71.0 / 57_600.0,
+            0.0,
+            -71.0 / 16_695.0,
+            71.0 / 1920.0,
+            -17_253.0 / 339_200.0,
+            22.0 / 525.0,
+            -1.0 / 40.0,
+        ],
+    };
+
+    /// With another weight of the estimate.
+    fn with_estimate(index: usize, weight: f64) -> Self {
+        let mut pair = Self::RIGHT;
+        pair.estimate[index] = weight;
+        pair
+    }
+
+    fn with_step_weights_exchanged(mut self) -> Self {
+        self.step.swap(2, 3);
+        self
+    }
+
+    /// 46732/5247 as 46372/5247.
+    fn with_stage_mistyped(mut self) -> Self {
+        self.stages[5][2] = 46_372.0 / 5247.0;
+        self
+    }
+
+    /// The step of the embedded method.
+    fn of_lower_order(mut self) -> Self {
+        self.step = core::array::from_fn(|k| self.step[k] - self.estimate[k]);
+        self
+    }
+}
+
+fn weighted<D: Vector>(stages: &[D; 7], weights: &[f64]) -> D {
+    let sum = |sum: D, (stage, weight): (&D, &f64)| sum + *stage * *weight;
+    stages.iter().zip(weights).skip(1).fold(stages[0] * weights[0], sum)
+}
+
+impl Embedded for Pair {
+    const ESTIMATE_ORDER: u32 = 5;
+
+    type Stages<D: Vector> = [D; 7];
+    type Dense<D: Vector> = [D; 4];
+
+    fn attempt<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        z: S::State,
+        slope: RateOf<S>,
+    ) -> (S::State, [RateOf<S>; 7]) {
+        let mut stages = [slope; 7];
+        for k in 1..7 {
+            let ahead = weighted(&stages, &self.stages[k][..k.min(6)]);
+            stages[k] = system.rate(t + NODES[k] * h, z + ahead * h);
+        }
+        (z + weighted(&stages, &self.step) * h, stages)
+    }
+
+    fn error<D: Vector>(&self, stages: &[D; 7], size: impl Fn(D) -> f64) -> f64 {
+        size(weighted(stages, &self.estimate))
+    }
+
+    fn end_slope<S: System>(
+        &self,
+        system: &S,
+        t: f64,
+        z: S::State,
+        _stages: &[RateOf<S>; 7],
+    ) -> RateOf<S> {
+        system.rate(t, z)
+    }
+
+    fn dense<S: System>(
+        &self,
+        _system: &S,
+        _t: f64,
+        h: f64,
+        _z: S::State,
+        stages: &[RateOf<S>; 7],
+        end_slope: RateOf<S>,
+    ) -> [RateOf<S>; 4] {
+        const FOURTH: [f64; 7] = [
+            -12_715_105_075.0 / 11_282_082_432.0,
+            0.0,
+            87_487_479_700.0 / 32_700_410_799.0,
+            -10_690_763_975.0 / 1_880_347_072.0,
+            701_980_252_875.0 / 199_316_789_632.0,
+            -1_453_857_185.0 / 822_651_844.0,
+            69_997_945.0 / 29_380_423.0,
+        ];
+        let step = weighted(stages, &self.step) * h;
+        let [first, second, third] = hermite(step, stages[0] * h, end_slope * h);
+        [first, second, third, weighted(stages, &FOURTH) * h]
+    }
+}
