@@ -276,7 +276,8 @@ where
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
         }
-        let SolveRequest { g_over_l, start: Phase { theta, omega }, from, tolerance, .. } = *request;
+        let SolveRequest { g_over_l, start: Phase { theta, omega }, from, tolerance, .. } =
+            *request;
         (self.0)(g_over_l, theta, omega, from, tolerance, &request.times).into_reply()
     }
 }
