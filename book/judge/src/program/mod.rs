@@ -1,4 +1,5 @@
-//! The side of the protocol that asks: a program that is not ours, as a [`Stranger`].
+//! The side of the protocol that asks: a program that is not ours, as a [`Stranger`] and as a
+//! [`Solver`].
 
 mod process;
 
@@ -15,8 +16,8 @@ use pendula::Phase;
 
 use self::process::{Group, LONGEST, LastLines, Line};
 use crate::printable::printable;
-use crate::protocol::{Answer, BYE, HELLO, answer, greeting};
-use crate::{Fault, Reply, Request, Stranger};
+use crate::protocol::{Answer, BYE, HELLO, Row, answer, greeting};
+use crate::{Crossings, CrossingsRequest, Fault, Reply, Request, SolveRequest, Solver, Stranger};
 
 /// How many times as long as for an answer a program is waited for in all. Some 400 questions are
 /// asked, most of which take a small part of the patience: see [`Program::longest_run`].
@@ -29,7 +30,8 @@ const GRACE: Duration = Duration::from_millis(500);
 /// `bye`, and ended a moment later with all that it has started, if it has not ended by itself.
 ///
 /// Whatever it writes, little of it is kept: a line longer than 1000 bytes is a fault, and so is
-/// one more than the answer has; beyond a thousand lines that nobody has read, it waits.
+/// one more than the answer has, or than 10 000 crossings; beyond a thousand lines that nobody has
+/// read, it waits.
 #[derive(Debug)]
 pub struct Program {
     command: String,
@@ -111,11 +113,110 @@ impl Program {
                     false => format!("{} s of questions", (ALL * self.patience).as_secs_f64()),
                 };
                 let happened = conversation.inquest(trouble, &waited);
-                format!("{}: asked \"{question}\": {happened}", self.command)
+                // A solver is asked for a hundred thousand times in one line.
+                let asked = shortened(question, EXPLAINED);
+                format!("{}: asked \"{asked}\": {happened}", self.command)
             }
         };
         *talk = Err(why.clone());
         Err(why)
+    }
+
+    /// The rows of the answer to `question`, and the evaluations if the program counts. Each row is
+    /// passed to `check` with the one before it.
+    fn rows<R: Row>(
+        &self,
+        question: &str,
+        asked: Asked,
+        check: impl Fn(&R, &R) -> Result<(), String>,
+    ) -> Result<(Vec<R>, Option<u64>), Fault> {
+        let answer = self.ask(question, |talk| {
+            let mut rows: Vec<R> = Vec::new();
+            loop {
+                let came = rows.len() as u64;
+                let line = talk.line(|| match came {
+                    0 => "without an answer".to_string(),
+                    _ => format!("with {}", asked.so_far(came)),
+                })?;
+                let wrong = |why: String| Err(Trouble::came(&line, &why));
+                match answer(&line) {
+                    Ok(Answer::Row(_)) if came == asked.most() => {
+                        let all = asked.all();
+                        return wrong(format!("it had sent {all}, and does not say done"));
+                    }
+                    Ok(Answer::Row(row)) => {
+                        let checked = rows.last().map_or(Ok(()), |last| check(last, &row));
+                        if let Err(why) = checked {
+                            return wrong(format!("{why} (line {} of the answer)", came + 1));
+                        }
+                        rows.push(row);
+                    }
+                    Ok(Answer::Done(_)) if came < asked.least() => {
+                        return wrong(format!("it has sent {}", asked.so_far(came)));
+                    }
+                    Ok(Answer::Done(evaluations)) => return Ok(Ok((rows, evaluations))),
+                    Ok(Answer::Error(why)) => {
+                        return Ok(Err(Fault::Refused(shortened(&why, EXPLAINED))));
+                    }
+                    Ok(Answer::Unsupported) if came == 0 => return Ok(Err(Fault::Unsupported)),
+                    Ok(Answer::Unsupported) => {
+                        return wrong(format!("it has sent {}", asked.so_far(came)));
+                    }
+                    Err(why) => return wrong(format!("{why} (line {} of the answer)", came + 1)),
+                }
+            }
+        });
+        answer.map_err(Fault::Broken)?
+    }
+
+    /// The reply to a question for so many states.
+    fn states(&self, question: &str, states: u64) -> Result<Reply, Fault> {
+        let (states, evaluations) = self.rows(question, Asked::States(states), |_, _| Ok(()))?;
+        Ok(Reply { states, evaluations })
+    }
+}
+
+/// The rows that a question asks for.
+#[derive(Clone, Copy, Debug)]
+enum Asked {
+    /// So many states.
+    States(u64),
+    /// As many crossings as there are.
+    Crossings,
+}
+
+impl Asked {
+    /// The most crossings of an answer: of a longer run nobody asks for them.
+    const CROSSINGS: u64 = 10_000;
+
+    const fn least(self) -> u64 {
+        match self {
+            Self::States(states) => states,
+            Self::Crossings => 0,
+        }
+    }
+
+    const fn most(self) -> u64 {
+        match self {
+            Self::States(states) => states,
+            Self::Crossings => Self::CROSSINGS,
+        }
+    }
+
+    /// So many of them, in words.
+    fn so_far(self, came: u64) -> String {
+        match self {
+            Self::States(states) => format!("{came} of {states} states"),
+            Self::Crossings => format!("{came} crossings"),
+        }
+    }
+
+    /// As many as may be, in words.
+    fn all(self) -> String {
+        match self {
+            Self::States(states) => format!("all {states} states"),
+            Self::Crossings => format!("{} crossings", Self::CROSSINGS),
+        }
     }
 }
 
@@ -142,41 +243,31 @@ impl Stranger for Program {
     }
 
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
-        let states = request.states();
-        let answer = self.ask(&request.to_string(), |talk| {
-            let mut reply = Reply::default();
-            loop {
-                let came = reply.states.len() as u64;
-                let line = talk.line(|| match came {
-                    0 => "without an answer".to_string(),
-                    _ => format!("with {came} of {states} states"),
-                })?;
-                let wrong = |why: String| Err(Trouble::came(&line, &why));
-                match answer(&line) {
-                    Ok(Answer::State(_)) if came == states => {
-                        return wrong(format!(
-                            "it had sent all {states} states, and does not say done"
-                        ));
-                    }
-                    Ok(Answer::State(z)) => reply.states.push(z),
-                    Ok(Answer::Done(_)) if came < states => {
-                        return wrong(format!("it has sent {came} of {states} states"));
-                    }
-                    Ok(Answer::Done(evaluations)) => {
-                        return Ok(Ok(Reply { evaluations, ..reply }));
-                    }
-                    Ok(Answer::Error(why)) => {
-                        return Ok(Err(Fault::Refused(shortened(&why, EXPLAINED))));
-                    }
-                    Ok(Answer::Unsupported) if came == 0 => return Ok(Err(Fault::Unsupported)),
-                    Ok(Answer::Unsupported) => {
-                        return wrong(format!("it has sent {came} of {states} states"));
-                    }
-                    Err(why) => return wrong(format!("{why} (line {} of the answer)", came + 1)),
-                }
+        self.states(&request.to_string(), request.states())
+    }
+}
+
+impl Solver for Program {
+    fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+        self.states(&request.to_string(), request.times.len() as u64)
+    }
+
+    /// At most 10 000, in the order of the run; more are a fault, and others.
+    fn crossings(&self, request: &CrossingsRequest) -> Result<Crossings, Fault> {
+        let [from, until] = request.span;
+        let check = |&(last, _): &(f64, Phase), &(t, _): &(f64, Phase)| {
+            let is_before = if until < from { t > last } else { t < last };
+            match is_before {
+                true => Err(format!("it comes before {last:?} s in the order of the run")),
+                false => Ok(()),
             }
-        });
-        answer.map_err(Fault::Broken)?
+        };
+        let (crossings, _) = self.rows(&request.to_string(), Asked::Crossings, check)?;
+        Ok(crossings)
+    }
+
+    fn patience(&self) -> Duration {
+        self.patience
     }
 }
 
@@ -341,7 +432,7 @@ impl Drop for Conversation {
 
 /// The most characters of a line that are quoted: a state takes fifty.
 const QUOTED: usize = 60;
-/// The most of one that says what is wrong.
+/// The most of one that says what is wrong, or of a question.
 const EXPLAINED: usize = 160;
 
 /// At most so many characters of the text, with those that cannot be printed escaped.

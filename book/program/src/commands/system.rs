@@ -14,6 +14,15 @@ pub fn methods() -> PossibleValuesParser {
     METHODS.iter().map(|method| method.info().name).collect::<Vec<_>>().into()
 }
 
+/// The method that is no method of equal steps.
+pub const SERIES: &str = "taylor-series";
+
+/// The names that are accepted where steps may vary.
+pub fn methods_and_series() -> PossibleValuesParser {
+    let names = METHODS.iter().map(|method| method.info().name);
+    names.chain([SERIES]).collect::<Vec<_>>().into()
+}
+
 /// The acceleration.
 #[derive(Args, Debug)]
 pub struct GravityArgument {

@@ -2,7 +2,6 @@
 //! motion.
 
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use pendula::integrate::Run;
 use pendula::methods::Dop853;
 use pendula::metrics::EnergyDrift;
@@ -15,10 +14,10 @@ use pendula::{
 
 use super::output::{Streams, Summary};
 use super::plot::Panel;
-use super::system::{Chosen, Forced, SystemArguments};
+use super::system::{Chosen, Forced, SystemArguments, methods_and_series};
 use pendula_output::failure::Failure;
 use trajectory::{Trajectory, TrajectoryArguments};
-use walk::{SERIES, Walk};
+use walk::Walk;
 
 mod trajectory;
 mod walk;
@@ -27,19 +26,13 @@ mod walk;
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The method [default for the double pendulum: rk4, or dop853 with --tolerance]
-    #[arg(long, value_name = "M", value_parser = methods())]
+    #[arg(long, value_name = "M", value_parser = methods_and_series())]
     method: Option<String>,
     #[command(flatten)]
     system: SystemArguments,
     /// How long, and how it is printed.
     #[command(flatten, next_help_heading = "Steps and output")]
     pub trajectory: TrajectoryArguments,
-}
-
-/// All methods, and that which has no equal steps.
-fn methods() -> PossibleValuesParser {
-    let names = METHODS.iter().map(|method| method.info().name);
-    names.chain([SERIES]).collect::<Vec<_>>().into()
 }
 
 /// Writes the rows t, theta, omega, energy: in s, rad, rad/s and J, the energy as in the paper's

@@ -14,11 +14,9 @@ use super::{COLUMNS, COLUMNS_OF_TWO, PANELS, PANELS_OF_TWO};
 use super::{end_errors, energy_at_the_end, row_of_one, row_of_two};
 use crate::commands::output::{Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, TIME};
+use crate::commands::system::SERIES;
 use pendula::systems::DoublePhase;
 use pendula_output::failure::Failure;
-
-/// The method that is no method of equal steps.
-pub const SERIES: &str = "taylor-series";
 
 /// How a trajectory in such steps is made and printed.
 #[derive(Clone, Copy)]
