@@ -113,25 +113,23 @@ pub struct Power {
     /// slopes of its two halves if that is more. The second is there because what bends a line is
     /// no chance: the higher terms of long steps.
     pub uncertainty: f64,
-    /// By what factor the points stray from the line, root mean square.
-    pub scatter: f64,
 }
 
 /// The slope of a line through points (ln x, ln y), by least squares; of at least four.
 pub fn power(points: &[(f64, f64)]) -> Option<Power> {
-    let (slope, error, scatter) = line(points).filter(|_| points.len() >= 4)?;
+    let (slope, error) = line(points).filter(|_| points.len() >= 4)?;
     let (first, second) = points.split_at(points.len() / 2);
-    let halves = [first, second].map(|half| line(half).map(|(slope, ..)| slope));
+    let halves = [first, second].map(|half| line(half).map(|(slope, _)| slope));
     let bent = match halves {
         [Some(first), Some(second)] => 0.5 * (first - second).abs(),
         _ => 0.0,
     };
-    let value = Power { value: slope, uncertainty: libm::fmax(2.0 * error, bent), scatter };
+    let value = Power { value: slope, uncertainty: libm::fmax(2.0 * error, bent) };
     (value.value.is_finite() && value.uncertainty.is_finite()).then_some(value)
 }
 
-/// Slope, its standard error, and the factor by which the points stray.
-fn line(points: &[(f64, f64)]) -> Option<(f64, f64, f64)> {
+/// Slope and its standard error.
+fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     let n = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));
@@ -141,6 +139,5 @@ fn line(points: &[(f64, f64)]) -> Option<(f64, f64, f64)> {
     let slope = products / squares;
     let left = sum(&|dx, dy| (dy - slope * dx) * (dy - slope * dx));
     let error = libm::sqrt(left / (n - 2.0).max(1.0) / squares);
-    let scatter = libm::exp(libm::sqrt(left / n));
-    (points.len() >= 2 && squares > 0.0).then_some((slope, error, scatter))
+    (points.len() >= 2 && squares > 0.0).then_some((slope, error))
 }

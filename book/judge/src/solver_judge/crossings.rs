@@ -81,7 +81,7 @@ impl Passages {
             Self { wrong: Vec::new(), ratio: 0.0, counts: (0, 0), every_second: false };
         for tolerance in tolerances(ladder) {
             // Seconds near an end in which a passage may be told or not.
-            let bound = 10.0 * ladder.error_at(tolerance);
+            let bound = 3.0 * ladder.error_at(tolerance);
             for (name, start, until, times) in runs() {
                 let request = CrossingsRequest::new(G_OVER_L, start, [0.0, until], tolerance);
                 let found = asked.crossings(&request)?;
@@ -124,7 +124,7 @@ impl Passages {
                     // A NaN is worse than all.
                     if !(error / bound <= self.ratio) {
                         self.ratio = error / bound;
-                        if !(self.ratio <= 10.0) {
+                        if !(self.ratio <= 3.0) {
                             self.wrong
                                 .push(format!("{name}: one is off by {} rad", scientific(error)));
                         }
@@ -154,7 +154,7 @@ impl Passages {
     pub fn judge(&self) -> Finding {
         let Self { wrong, ratio, .. } = self;
         let verdict = match wrong.is_empty() {
-            true => Verdict::of(*ratio, 1.0, 10.0),
+            true => Verdict::of(*ratio, 1.0, 3.0),
             false => Verdict::Fails,
         };
         let measured = match &wrong[..] {
@@ -163,7 +163,7 @@ impl Passages {
             [first, .., last] => format!("{first}; {last}"),
         };
         let why = "in twelve runs there are to be as many as there are, each off by no more than \
-                   ten times what a run errs at its end"
+                   three times what a run errs at its end"
             .to_string();
         Finding { measured, why, ..Finding::number(*ratio, "", 1.0, verdict) }
     }

@@ -86,9 +86,9 @@ impl DrivenRuns {
         let mut runs = Vec::new();
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
             let allowed = ladder.error_at(tolerance);
+            // Not reached, or nothing to compare with.
             if !(allowed > 0.0 && allowed < 0.1) {
-                // Not reached, or nothing to compare with.
-                break;
+                continue;
             }
             let mut largest = 0.0;
             for (until, exact) in ENDS.into_iter().zip(truth) {
@@ -98,7 +98,10 @@ impl DrivenRuns {
             }
             runs.push((tolerance, largest, 30.0 * allowed + 1e-11));
         }
-        Ok(Self { runs })
+        match runs.is_empty() {
+            true => Err(Trouble::NoAnswer("no run is accurate enough to tell".to_string())),
+            false => Ok(Self { runs }),
+        }
     }
 
     /// The worst run: by how many times it is beyond what it may be.

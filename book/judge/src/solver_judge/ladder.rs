@@ -36,9 +36,9 @@ impl Rung {
         rounding(self.evaluations.unwrap_or(30_000) / STARTS.len() as u64)
     }
 
-    /// Whether its error is that of the steps, neither rounding nor more than `most` (rad).
-    fn tells(&self, most: f64) -> bool {
-        self.mean() > 3.0 * self.rounding() && self.largest() < most
+    /// Whether its error is that of the steps, neither rounding nor as large as the motion.
+    fn tells(&self) -> bool {
+        self.mean() > 3.0 * self.rounding() && self.largest() < 0.1
     }
 }
 
@@ -70,6 +70,9 @@ fn tolerance(k: i32) -> f64 {
         libm::pow(10.0, -3.5 - f64::from(k / 2))
     }
 }
+
+/// The rungs through which lines are drawn: four decades of tolerances.
+const LAST: usize = 9;
 
 /// The last is 10⁻¹³.
 const RUNGS: i32 = 21;
@@ -111,15 +114,11 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// The line through points of the rungs that tell. Long steps bend it: those with errors beyond
-    /// 10⁻³ rad are left out where six others remain.
+    /// The line through points of the rungs that tell: of the last [`LAST`], as longer steps bend it.
     fn line(&self, point: impl Fn(&Rung) -> Option<(f64, f64)>) -> Option<Power> {
-        let points = |most: f64| -> Vec<(f64, f64)> {
-            self.rungs.iter().filter(|rung| rung.tells(most)).filter_map(&point).collect()
-        };
-        let short = points(1e-3);
-        let points = if short.len() >= 6 { short } else { points(0.1) };
-        power(&points)
+        let points = self.rungs.iter().filter(|rung| rung.tells()).filter_map(point);
+        let points: Vec<_> = points.collect();
+        power(&points[points.len().saturating_sub(LAST)..])
     }
 
     /// The power of the tolerance with which the error falls.
@@ -175,6 +174,16 @@ impl Ladder {
             least = least.min(error);
         }
         worst
+    }
+
+    /// The largest error in tolerances for each evaluation of its run, and the tolerance at which it
+    /// is; of runs whose error is not as large as the motion.
+    pub fn an_evaluation(&self) -> Option<(f64, f64)> {
+        let each = self.rungs.iter().filter(|rung| rung.tells()).filter_map(|rung| {
+            let evaluations = rung.evaluations? as f64 / STARTS.len() as f64;
+            Some((rung.largest() / rung.tolerance / evaluations, rung.tolerance))
+        });
+        each.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Where the error falls no more, if two decades of tolerances show it and more than rounding is

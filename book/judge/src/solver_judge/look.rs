@@ -85,6 +85,19 @@ const CAUSES: &[Known] = &[
             .only_one_way
             .then(|| ("Every second crossing is missed.".to_string(), &["crossings"][..]))
     }),
+    ("crossings", |_| {
+        let sentence = "A passage through zero is missed, or not where the run has it: it is to be \
+                        found within each step, on what outputs come from.";
+        Some((sentence.to_string(), &["crossings"]))
+    }),
+    ("many", |_| {
+        let sentence = "The time for many outputs grows faster than their number.";
+        Some((sentence.to_string(), &[]))
+    }),
+    ("refusal", |_| {
+        let sentence = "A tolerance or a time that makes no sense has to end in an error.";
+        Some((sentence.to_string(), &[]))
+    }),
     ("units", |_| {
         let sentence = "A constant in seconds is in it: a smallest, largest or first step.";
         Some((sentence.to_string(), &[]))
@@ -128,21 +141,24 @@ fn no_further(floor: Floor) -> Cause {
 /// An error that does not follow the tolerance.
 fn uneven(ladder: &Ladder) -> Cause {
     let (rise, tolerance) = ladder.rise();
-    let sentence = match (rise > 6.0, ladder.by_tolerance()) {
-        (true, _) => format!(
+    let unseen = ladder.an_evaluation().filter(|(times, _)| *times > 10.0);
+    let sentence = match (ladder.by_tolerance(), unseen) {
+        (None, _) => "At no tolerance is it right: a coefficient of a stage or of the step is \
+                      wrong, or the equation."
+            .to_string(),
+        _ if rise > 6.0 => format!(
             "At a tolerance of {} the error is {} times that at a looser one.",
             about(tolerance),
             rounded(rise)
         ),
-        (false, Some(line)) => format!(
-            "The error goes as tol^{} and strays from that {:.1} times: an error is made that the \
-             estimate does not see, as with the slope of a refused step.",
-            in_words(line),
-            line.scatter
+        (_, Some((times, _))) => format!(
+            "A step errs by more than its tolerance (up to {} for each evaluation): an error is made \
+             that the estimate does not see, as with the slope of a refused step.",
+            rounded(times)
         ),
-        (false, None) => "At no tolerance is it right: a coefficient of a stage or of the step is \
-                          wrong, or the equation."
-            .to_string(),
+        (Some(line), None) => {
+            format!("The error falls too slowly, as tol^{}.", in_words(line))
+        }
     };
     (sentence, END)
 }
@@ -159,23 +175,15 @@ fn wrapped(ladder: &Ladder) -> Option<Cause> {
     wrapped.then(|| (sentence.to_string(), END))
 }
 
-/// Ends that are states of another time.
+/// The end of a rotation that is the state of another time, which it has but once.
 fn other_time(ladder: &Ladder) -> Option<Cause> {
-    let rung = ladder.rungs.last()?;
-    let shifts: Vec<f64> =
-        STARTS.into_iter().zip(rung.ends).filter_map(|(start, end)| shift(start, end)).collect();
-    let later = shifts.iter().all(|shift| *shift > 0.0);
-    let earlier = shifts.iter().all(|shift| *shift < 0.0);
-    if shifts.len() < STARTS.len() || !(later || earlier) {
-        return None;
-    }
-    let largest = shifts.iter().fold(0.0, |largest: f64, shift| largest.max(shift.abs()));
-    let way = if later {
-        "later: the last step runs over the end"
-    } else {
-        "earlier: a run stops before its end"
+    let last = STARTS.len() - 1;
+    let shift = shift(STARTS[last], ladder.rungs.last()?.ends[last])?;
+    let way = match shift > 0.0 {
+        true => "later: the last step runs over the end",
+        false => "earlier: a run stops before its end",
     };
-    Some((format!("At the end it has the state of up to {largest:.2} s {way}."), END))
+    Some((format!("At the end it has the state of {} s {way}.", scientific(shift.abs())), END))
 }
 
 /// By how much later (s) the exact motion has this state, if it has it, and if that is more than

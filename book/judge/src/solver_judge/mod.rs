@@ -59,7 +59,6 @@ struct Found {
     ladder: Ladder,
     outputs: Option<Outputs>,
     only_one_way: bool,
-    single: bool,
 }
 
 /// The report, property by property.
@@ -136,7 +135,6 @@ impl Judge<'_> {
         self.note("order", claim(claims.order), steps::counted(&ladder), |()| {
             steps::order(&ladder, claims.order)
         })?;
-        let single = steps::single(&ladder);
         self.note("precision", implied.clone(), Ok(()), |()| steps::precision(&ladder))?;
         let outputs = Outputs::of(asked, &ladder);
         let outputs = self.note("output", implied.clone(), outputs, Outputs::judge)?;
@@ -180,6 +178,6 @@ impl Judge<'_> {
         if let Some(outputs) = &outputs {
             self.report.evidence.outputs.clone_from(&outputs.run);
         }
-        Ok(Found { ladder, outputs, only_one_way, single })
+        Ok(Found { ladder, outputs, only_one_way })
     }
 }
