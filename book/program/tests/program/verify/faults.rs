@@ -10,7 +10,8 @@ use std::time::{Duration, Instant};
 
 use pendula::Phase;
 use pendula_judge::{
-    CrossingsRequest, Drive, Fault, Program, Request, SolveRequest, Solver, Stranger,
+    Claims, CrossingsRequest, Drive, Fault, Program, Request, SolveRequest, Solver, Stranger,
+    try_judge_solver,
 };
 use rstest::rstest;
 use tempfile::TempDir;
@@ -211,6 +212,26 @@ fn a_fault_of_a_solver_is_told_in_one_line() {
     let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
     let passages = OVER_CROSSINGS.map(|rest| told_of(rest, |one| one.crossings(&crossings)));
     insta::assert_snapshot!(states.concat() + &passages.concat());
+}
+
+/// Catches: a judge of solvers that takes a broken protocol for a refusal, goes on asking, or does
+/// not say what came; a program that knows no solvers taken for one at fault.
+#[test]
+fn the_judge_of_solvers_stops_at_a_fault() {
+    let judged = |program: &Program| try_judge_solver(program, Claims::order(5).crossings());
+    for (rest, because) in [
+        ("exec sleep 1000", "given up after 0.5 s"),
+        ("exec yes 0.5 0.5", "and does not say done"),
+        ("echo 0.5 0.5\nkill -9 $$", "it ended (signal: 9 (SIGKILL))"),
+        ("echo done 7\ncat", "\"done 7\" came: it has sent 0 of"),
+        ("echo nan nan\ncat", "\"nan nan\" came: θ is not finite"),
+    ] {
+        let why = told_of(rest, judged);
+        assert!(why.contains(because) && why.contains("asked \"solve "), "{why}");
+    }
+    let script = Script::greeting("echo unsupported\nread -r line");
+    assert_eq!(judged(&script.started(10.0)), Err(Fault::Unsupported));
+    script.leaves_nothing();
 }
 
 /// Catches: the way back held for a wrong order, or the way out for it; two crossings at the same

@@ -10,7 +10,8 @@ use std::process::Command;
 use pendula::methods::{Dop853, StormerVerlet};
 use pendula::{Motion, Pendulum, Phase, exact};
 use pendula_judge::{
-    ByTolerance, CrossingsRequest, Drive, Fault, Program, Reply, SolveRequest, Solver, Stranger,
+    ByTolerance, Claims, CrossingsRequest, Drive, Fault, Program, Reply, SolveRequest, Solver,
+    Stranger, Verdict, try_judge_solver,
 };
 use rstest::rstest;
 use serde_json::Value;
@@ -101,7 +102,7 @@ fn error(program: &Program, request: &SolveRequest) -> f64 {
     times.iter().zip(&states).map(apart).fold(0.0, f64::max)
 }
 
-/// Holds the program of these words against the exact motion.
+/// Holds the program of these words against the exact motion, and before the judge.
 fn is_dormand_prince(words: &[&str]) {
     let program = started(words, 60.0).unwrap();
     assert_eq!(program.name(), "my solver");
@@ -179,6 +180,10 @@ fn is_dormand_prince(words: &[&str]) {
     let driven = solve(1e-8).driven(Drive { amplitude: 0.5, frequency: 2.0 }).to(&[1.0]);
     assert_eq!(program.solve(&driven), Err(Fault::Unsupported));
     assert_eq!(program.answer(&request(0.1, 1)), Err(Fault::Unsupported));
+
+    let claims = Claims::order(5).estimate(5).free_outputs().crossings();
+    let report = try_judge_solver(&started(words, 10.0).unwrap(), claims).unwrap();
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
 }
 
 /// Catches: an example of a solver that does not run; a wrong coefficient, in a stage, in the error
