@@ -13,7 +13,7 @@ import os
 import sys
 
 # Allowed in one run, where a library stops after 500 steps or 10,000.
-STEPS = 10**7
+STEPS = 10**6
 
 
 class Run:
@@ -59,23 +59,26 @@ class Run:
         """The derivatives of angle and velocity, as a list."""
         return [y[1], self.force(t, y[0])]
 
-    def refuse(self, bad, why):
-        """The answer to a tolerance that the library itself does not refuse, but hangs with, or
-        answers as if it were none."""
-        if bad:
-            raise ValueError(f"{why} with a tolerance of {self.tol}")
+    def refuse(self, *bad):
+        """Refuses a tolerance that the library itself does not refuse, but hangs with, or takes for
+        none. Any other it is handed as it is, so that its own behaviour shows."""
+        if any(self.tol == x or (math.isnan(x) and math.isnan(self.tol)) for x in bad):
+            raise ValueError(f"the library has no use for a tolerance of {self.tol}")
+
+
+NAN, INF = math.nan, math.inf
 
 
 class SciPy:
     """solve_ivp. Its t_eval interpolates even the last time, so a single one is asked for without.
     A relative tolerance under 100 epsilons it raises to that itself; a negative absolute one it
-    refuses; of 0 it takes the relative one alone."""
+    refuses. The explicit ones hang with none, infinite or NaN; LSODA answers those."""
 
     def __init__(self, name):
         from scipy.integrate import solve_ivp
 
         def call(run, **more):
-            run.refuse(not math.isfinite(run.tol), "SciPy does not look at its errors")
+            run.refuse(0.0, INF, NAN)
             found = solve_ivp(
                 run.rate, (run.grid[0], run.grid[-1]), run.start, method=name,
                 rtol=run.tol, atol=run.each, **more)
@@ -97,7 +100,8 @@ class SciPy:
 
 class SciPyOde:
     """The older `ode`: Hairer's codes, begun anew at each time asked for. A step ends at each, and
-    nothing is interpolated. One absolute tolerance: 1.17 no longer takes a sequence."""
+    nothing is interpolated. One absolute tolerance, as 1.17 takes no sequence, contrary to its documentation. They
+    take a negative one as its magnitude, and an infinite one as none."""
 
     def __init__(self, name):
         from scipy.integrate import ode
@@ -105,6 +109,7 @@ class SciPyOde:
         self.ode, self.name = ode, name
 
     def solve(self, run):
+        run.refuse(INF, -INF)
         code = self.ode(run.rate).set_integrator(
             self.name, rtol=run.tol, atol=run.tol, nsteps=STEPS)
         code.set_initial_value(run.start, run.t0)
@@ -122,7 +127,8 @@ class diffrax:
     others are interpolated. Evaluations in compiled code are counted as one for each stage of each
     step, taken or not, and one more, which is their number for the explicit solvers; an implicit
     one's inner iteration is left out. An event ends a run, so the next run begins at that crossing
-    and waits for one of the other direction."""
+    and waits for one of the other direction. A tolerance of 0 or NaN runs to the limit of steps, the
+    implicit ones for minutes; an infinite one is none; a negative one is its magnitude."""
 
     def __init__(self, name):
         import diffrax
@@ -167,7 +173,7 @@ class diffrax:
         self.up, self.down = jax.jit(event(True)), jax.jit(event(False))
 
     def call(self, kind, run, t0, y, ts=None):
-        run.refuse(not math.isfinite(run.tol) or run.tol <= 0.0, "diffrax never ends")
+        run.refuse(0.0, INF, -INF, NAN)
         ask = tuple(self.jnp.float64(x) for x in (run.g, run.a, run.w))
         t, y, steps, good, ended = kind(
             ts, t0, run.grid[-1], self.jnp.array(y), run.tol, self.jnp.array(run.each), ask)
@@ -197,7 +203,7 @@ class diffrax:
 
 class torchdiffeq:
     """odeint. It interpolates even the end, by a quartic, and takes a run back as the mirrored
-    equation."""
+    equation. It refuses a tolerance of 0, infinity or NaN; a negative one is its magnitude."""
 
     def __init__(self, name):
         import torch
@@ -207,8 +213,6 @@ class torchdiffeq:
             return torch.tensor(x, dtype=torch.float64)
 
         def solve(run):
-            run.refuse(not math.isfinite(run.tol), "torchdiffeq does not look at its errors")
-
             def rate(t, y):
                 run.count += 1
                 return torch.stack(
@@ -221,7 +225,8 @@ class torchdiffeq:
 
 
 class CVODE:
-    """scikit-sundae's. The last time is its stop, where a step ends; others are interpolated."""
+    """scikit-sundae's. The last time is its stop, where a step ends; others are interpolated.
+    It refuses what is no tolerance."""
 
     def __init__(self, name):
         from sksundae.cvode import CVODE
@@ -256,7 +261,8 @@ class CVODE:
 
 class heyoka:
     """taylor_adaptive: the tolerance, which is one number, decides the order, and so is compiled
-    in. A single time is the end of a step; others are values of the series. No evaluations."""
+    in. A single time is the end of a step; others are values of the series. It does not evaluate a force. It takes a
+    tolerance of 0 for epsilon, and refuses what is none."""
 
     def __init__(self, _):
         import heyoka
@@ -305,7 +311,8 @@ class heyoka:
 
 
 class CasADi:
-    """integrator("cvodes") with Adams or BDF and one absolute tolerance. It refuses to run back."""
+    """integrator("cvodes") with Adams or BDF and one absolute tolerance. It refuses what is no
+    tolerance."""
 
     def __init__(self, name):
         import casadi
@@ -343,6 +350,7 @@ class numbalsoda:
         code, address = getattr(numbalsoda, name), rate.address
 
         def solve(run):
+            run.refuse(0.0, INF, NAN)  # lsoda answers with the start, with nonsense and with NaN
             ask = np.array([run.g, run.a, run.w, 0.0])
             found, good = code(address, np.array(run.start), np.array(run.grid), ask,
                                rtol=run.tol, atol=run.tol, mxstep=STEPS)
@@ -356,7 +364,8 @@ class numbalsoda:
 
 
 class desolver:
-    """OdeSystem. A single time is the end of a step; others are interpolated (dense_output)."""
+    """OdeSystem. A single time is the end of a step; others are interpolated (dense_output).
+    A negative tolerance is its magnitude, an infinite one none; with 0 it takes steps all the same."""
 
     def __init__(self, name):
         import warnings
@@ -366,7 +375,8 @@ class desolver:
 
         warnings.simplefilter("ignore")
 
-        def call(run, dense, **more):
+        def call(run, dense):
+            run.refuse(0.0, INF, -INF)
             def rate(t, y, **_):
                 return np.array(run.rate(t, y))
 
@@ -376,7 +386,7 @@ class desolver:
                 desolver.DiffRHS(rate), y0=np.array(run.start), t=(run.t0, run.grid[-1]),
                 dt=length / 1000, rtol=run.tol, atol=np.array(run.each), dense_output=dense)
             code.method = name
-            code.integrate(**more)
+            code.integrate()
             if not code.success:
                 raise RuntimeError(code.integration_status)
             return code
