@@ -1,4 +1,4 @@
-"""Solvers of Python's libraries that choose their steps, as strangers, protocol 1 of `pendula verify`:
+"""Solvers of Python's libraries that choose their steps, as strangers, protocol 1:
 
     python3 solver.py LIBRARY-SOLVER
 
@@ -100,8 +100,8 @@ class SciPy:
 
 class SciPyOde:
     """The older `ode`: Hairer's codes, begun anew at each time asked for. A step ends at each, and
-    nothing is interpolated. One absolute tolerance, as 1.17 takes no sequence, contrary to its documentation. They
-    take a negative one as its magnitude, and an infinite one as none."""
+    nothing is interpolated. One absolute tolerance, as 1.17 takes no sequence, contrary to its
+    documentation. They take a negative one as its magnitude, and an infinite one as none."""
 
     def __init__(self, name):
         from scipy.integrate import ode
@@ -127,8 +127,8 @@ class diffrax:
     others are interpolated. Evaluations in compiled code are counted as one for each stage of each
     step, taken or not, and one more, which is their number for the explicit solvers; an implicit
     one's inner iteration is left out. An event ends a run, so the next run begins at that crossing
-    and waits for one of the other direction. A tolerance of 0 or NaN runs to the limit of steps, the
-    implicit ones for minutes; an infinite one is none; a negative one is its magnitude."""
+    and waits for one of the other direction. A tolerance of 0 or NaN runs to the limit of steps,
+    the implicit ones for minutes; an infinite one is none; a negative one is its magnitude."""
 
     def __init__(self, name):
         import diffrax
@@ -225,8 +225,8 @@ class torchdiffeq:
 
 
 class CVODE:
-    """scikit-sundae's. The last time is its stop, where a step ends; others are interpolated.
-    It refuses what is no tolerance."""
+    """scikit-sundae's. The last time is its stop, where a step ends; others are interpolated. It
+    refuses what is no tolerance."""
 
     def __init__(self, name):
         from sksundae.cvode import CVODE
@@ -261,8 +261,8 @@ class CVODE:
 
 class heyoka:
     """taylor_adaptive: the tolerance, which is one number, decides the order, and so is compiled
-    in. A single time is the end of a step; others are values of the series. It does not evaluate a force. It takes a
-    tolerance of 0 for epsilon, and refuses what is none."""
+    in. A single time is the end of a step; others are values of the series. It does not evaluate a
+    force. It takes a tolerance of 0 for epsilon, and refuses what is none."""
 
     def __init__(self, _):
         import heyoka
@@ -334,7 +334,8 @@ class CasADi:
 
 class numbalsoda:
     """lsoda, which interpolates even the end, and dop853, both with one absolute tolerance. Run
-    back, lsoda fails, and dop853 returns memory that was never written and says that all is well."""
+    back, lsoda fails, and dop853 returns memory that was never written and says that all is
+    well."""
 
     def __init__(self, name):
         import numba
@@ -364,8 +365,9 @@ class numbalsoda:
 
 
 class desolver:
-    """OdeSystem. A single time is the end of a step; others are interpolated (dense_output).
-    A negative tolerance is its magnitude, an infinite one none; with 0 it takes steps all the same."""
+    """OdeSystem. A single time is the end of a step; others are interpolated (dense_output). A
+    negative tolerance is its magnitude, an infinite one none; with 0 it takes steps all the
+    same."""
 
     def __init__(self, name):
         import warnings
