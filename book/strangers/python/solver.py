@@ -72,13 +72,16 @@ NAN, INF = math.nan, math.inf
 class SciPy:
     """solve_ivp. Its t_eval interpolates even the last time, so a single one is asked for without.
     A relative tolerance under 100 epsilons it raises to that itself; a negative absolute one it
-    refuses. The explicit ones hang with none, infinite or NaN; LSODA answers those."""
+    refuses. With 0, infinity or NaN the explicit solvers hang; LSODA answers the last two, with
+    nonsense, and refuses 0; Radau and BDF refuse all three."""
 
     def __init__(self, name):
         from scipy.integrate import solve_ivp
 
+        bad = {"Radau": (), "BDF": (), "LSODA": (INF, NAN)}.get(name, (0.0, INF, NAN))
+
         def call(run, **more):
-            run.refuse(0.0, INF, NAN)
+            run.refuse(*bad)
             found = solve_ivp(
                 run.rate, (run.grid[0], run.grid[-1]), run.start, method=name,
                 rtol=run.tol, atol=run.each, **more)
@@ -127,8 +130,9 @@ class diffrax:
     others are interpolated. Evaluations in compiled code are counted as one for each stage of each
     step, taken or not, and one more, which is their number for the explicit solvers; an implicit
     one's inner iteration is left out. An event ends a run, so the next run begins at that crossing
-    and waits for one of the other direction. A tolerance of 0 or NaN runs to the limit of steps,
-    the implicit ones for minutes; an infinite one is none; a negative one is its magnitude."""
+    and waits for one of the other direction. A tolerance of 0 or NaN runs to the
+    limit of steps; an infinite one is none to Dopri5, and Kvaerno5 does not come back with it; a
+    negative one is its magnitude."""
 
     def __init__(self, name):
         import diffrax
