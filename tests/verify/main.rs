@@ -24,4 +24,5 @@ mod garbage;
 mod judged;
 mod looks;
 mod metrics;
+mod solvers;
 mod strangers;

@@ -39,7 +39,7 @@ impl Refusal {
                 Ok(_) if until.is_infinite() => wrong.push(format!("{name}: it has a state")),
                 Ok(reply) => {
                     let error = asked::errors(&request, &reply.states)[0];
-                    if !(error <= WRONG) {
+                    if error > WRONG {
                         wrong.push(format!(
                             "{name}: a state that is off by {} rad",
                             scientific(error)

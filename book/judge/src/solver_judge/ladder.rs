@@ -87,7 +87,9 @@ const RUNGS: i32 = 21;
 
 /// A solver whose estimate is of first power needs ten times the steps for a tenth of the
 /// tolerance: beyond so many evaluations nothing new is to be seen.
-const ENOUGH: u64 = 400_000;
+const ENOUGH: u64 = 200_000;
+/// But a line needs four rungs.
+const FEWEST: i32 = 3;
 
 impl Ladder {
     /// Asks as far as patience allows.
@@ -112,7 +114,7 @@ impl Ladder {
             let growth = (took.as_secs_f64() / last.as_secs_f64().max(1e-3)).clamp(1.0, 3.2);
             last = took;
             let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
-            let enough = evaluations.is_some_and(|n| n > ENOUGH);
+            let enough = evaluations.is_some_and(|n| n > ENOUGH) && k >= FEWEST;
             if k + 1 < RUNGS && (enough || last.mul_f64(growth) > allowed * RUNS as u32) {
                 let at = ladder.rungs.last().map_or(0.0, |rung| rung.tolerance);
                 ladder.ended = Some(format!("smaller tolerances than {at:.0e} take too long"));
@@ -122,7 +124,8 @@ impl Ladder {
         Ok(ladder)
     }
 
-    /// The line through points of the rungs that tell: of the last [`LAST`], as longer steps bend it.
+    /// The line through points of the rungs that tell: of the last [`LAST`], as longer steps bend
+    /// it.
     fn line(&self, point: impl Fn(&Rung) -> Option<(f64, f64)>) -> Option<Power> {
         let points = self.rungs.iter().filter(|rung| rung.tells()).filter_map(point);
         let points: Vec<_> = points.collect();
@@ -147,10 +150,15 @@ impl Ladder {
         self.line(|rung| Some((libm::log(rung.evaluations? as f64), -libm::log(rung.mean()))))
     }
 
+    /// The rungs whose runs are quick.
+    pub fn quick(&self) -> impl Iterator<Item = &Rung> {
+        self.rungs.iter().filter(|rung| rung.evaluations.is_none_or(|n| n < ENOUGH))
+    }
+
     /// The tolerance of the runs whose tolerance does not matter: [`USUAL`], or the smallest that
     /// can be had in time.
     pub fn usual(&self) -> f64 {
-        let reached = self.rungs.iter().map(|rung| rung.tolerance).filter(|it| *it > 0.9 * USUAL);
+        let reached = self.quick().map(|rung| rung.tolerance).filter(|it| *it > 0.9 * USUAL);
         reached.fold(1e-3, f64::min)
     }
 
@@ -170,22 +178,24 @@ impl Ladder {
     }
 
     /// By what the error rises most where the tolerance falls, and the tolerance at which it does:
-    /// against the smallest error at a looser one, as far as that is more than rounding.
+    /// against the smallest error at a looser one, as far as that is more than rounding. An error
+    /// may vanish by chance, so each is averaged with its neighbours.
     pub fn rise(&self) -> (f64, f64) {
         let mut least = f64::INFINITY;
         let mut worst = (1.0, self.rungs.first().map_or(0.0, |rung| rung.tolerance));
-        for rung in &self.rungs {
-            let error = libm::fmaximum(rung.mean(), rung.rounding);
-            if !(error / least <= worst.0) {
-                worst = (error / least, rung.tolerance);
+        for three in self.rungs.windows(3) {
+            let logs = three.iter().map(|rung| libm::log(rung.mean().max(rung.rounding)));
+            let error = libm::exp(logs.sum::<f64>() / 3.0);
+            if error / least > worst.0 {
+                worst = (error / least, three[1].tolerance);
             }
             least = least.min(error);
         }
         worst
     }
 
-    /// The largest error in tolerances for each evaluation of its run, and the tolerance at which it
-    /// is; of runs whose error is not as large as the motion.
+    /// The largest error in tolerances for each evaluation of its run, and the tolerance at which
+    /// it is; of runs whose error is not as large as the motion.
     pub fn an_evaluation(&self) -> Option<(f64, f64)> {
         let each = self.rungs.iter().filter(|rung| rung.tells()).filter_map(|rung| {
             rung.evaluations?;
@@ -194,8 +204,8 @@ impl Ladder {
         each.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Where the error falls no more, if two decades of tolerances show it and more than rounding is
-    /// left.
+    /// Where the error falls no more, if two decades of tolerances show it and more than rounding
+    /// is left.
     pub fn floor(&self) -> Option<Floor> {
         let last = self.rungs.last()?;
         let least = self.rungs.iter().map(Rung::mean).fold(f64::INFINITY, f64::min);

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use super::Found;
 use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
-use super::outputs::{Outputs, in_words, polynomial, rounded};
+use super::outputs::{Outputs, as_of, in_words, rounded};
 use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
 use pendula::Phase;
@@ -111,14 +111,12 @@ const CAUSES: &[Known] = &[
 /// Outputs that are worse than steps.
 fn between_steps(outputs: &Outputs) -> Cause {
     let what = match outputs.power() {
-        Some(power) => polynomial(power),
-        None => "a polynomial of too low a degree".to_string(),
+        Some(power) => format!("their error falls with {}", as_of(power)),
+        None => "look at how they are interpolated".to_string(),
     };
     let sentence = match outputs.interpolates_the_end() {
-        true => {
-            format!("The end of a run is interpolated, like all outputs: they come from {what}.")
-        }
-        false => format!("Outputs come from {what}."),
+        true => format!("The end of a run is interpolated, like all outputs: {what}."),
+        false => format!("Outputs between steps are worse than the steps: {what}."),
     };
     (sentence, OUTPUT)
 }
@@ -151,8 +149,8 @@ fn uneven(ladder: &Ladder) -> Cause {
             rounded(rise)
         ),
         (_, Some((times, _))) => format!(
-            "A step errs by more than its tolerance (up to {} for each evaluation): an error is made \
-             that the estimate does not see, as with the slope of a refused step.",
+            "A step errs by more than its tolerance (up to {} for each evaluation): an error is \
+             made that the estimate does not see, as with the slope of a refused step.",
             rounded(times)
         ),
         (Some(line), None) => {

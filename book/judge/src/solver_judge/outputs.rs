@@ -13,6 +13,8 @@ const OUTPUTS: u32 = 1000;
 /// In each of so many parts of the run lies the end of a step, unless the steps are longer than
 /// half a second.
 const PARTS: usize = 20;
+/// Runs that end where another has outputs.
+const ENDS: u32 = 10;
 
 /// How the outputs of a run compare with its steps.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +24,6 @@ struct Compared {
     outputs: f64,
     /// The largest of the parts' smallest errors (rad), which are those beside the ends of steps.
     steps: f64,
-    /// When the largest error is (s).
-    worst: f64,
     /// What rounding may make of either (rad).
     rounding: f64,
     evaluations: Option<u64>,
@@ -35,7 +35,7 @@ pub struct Outputs {
     compared: Vec<Compared>,
     /// The errors along one run: time (s) and error (rad).
     pub run: Vec<(f64, f64)>,
-    /// Whether a run that ends at the worst output, or beside it, is as bad there.
+    /// Whether runs that end between the steps of a longer one are as bad there as its outputs.
     interpolated_end: bool,
 }
 
@@ -44,40 +44,37 @@ impl Outputs {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
         let times = evenly(OUTPUTS, asked.scenes.duration);
         let mut outputs = Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false };
-        for rung in ladder.rungs.iter().step_by(2) {
+        for rung in ladder.quick().step_by(2) {
             let Rung { tolerance, .. } = rung;
             let request = asked.scenes.run(asked.scenes.starts[0], *tolerance).to(&times);
             let errors = asked.errors(&request)?;
-            let along = || times.iter().copied().zip(errors.iter().copied());
             let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
             let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
             // The end itself is no state between steps.
-            let between = along().take(OUTPUTS as usize - 1);
-            let (worst, largest) =
-                between.fold((0.0, 0.0), |worst, it| if it.1 <= worst.1 { worst } else { it });
+            let between = errors.iter().take(OUTPUTS as usize - 1).copied();
+            let largest = between.fold(0.0, libm::fmaximum);
             outputs.compared.push(Compared {
                 tolerance: *tolerance,
                 outputs: largest,
                 steps: steps.fold(0.0, libm::fmaximum),
-                worst,
                 rounding: rung.rounding,
                 evaluations: rung.evaluations,
             });
             if outputs.run.is_empty() || *tolerance >= 0.9 * ladder.usual() {
-                outputs.run = along().collect();
+                outputs.run = times.iter().copied().zip(errors).collect();
             }
         }
-        if let Some((_, worst)) = outputs.worst().filter(|(ratio, _)| *ratio > WORSE) {
-            // Its steps may lie elsewhere: of several ends one is as bad.
+        let worse = outputs.ratios().filter(|(ratio, _)| *ratio > WORSE);
+        let tightest = worse.last().map(|(_, it)| *it);
+        if let Some(worse) = tightest {
+            // Of several ends one is as bad as the worst output, if ends are interpolated.
             let mut largest = 0.0;
-            for part in [1.0, 0.995, 0.99, 0.985, 0.98] {
-                let request = asked
-                    .scenes
-                    .run(asked.scenes.starts[0], worst.tolerance)
-                    .to(&[part * worst.worst]);
+            for k in 0..ENDS {
+                let end = asked.scenes.duration * (0.5 + 0.043 * f64::from(k));
+                let request = asked.scenes.run(asked.scenes.starts[0], worse.tolerance).to(&[end]);
                 largest = libm::fmaximum(largest, asked.errors(&request)?[0]);
             }
-            outputs.interpolated_end = largest > 0.2 * worst.outputs;
+            outputs.interpolated_end = largest > 0.2 * worse.outputs;
         }
         Ok(outputs)
     }
@@ -161,16 +158,19 @@ pub fn in_words(power: Power) -> String {
     format!("{:.1} ± {:.1}", power.value, libm::fmax(power.uncertainty, 0.1))
 }
 
-/// The degree of the polynomial whose error falls with this power of the step: "a cubic".
-pub fn polynomial(power: Power) -> String {
-    match libm::round(power.value) as u32 {
-        0 | 1 => "the last step, or a straight line of a wrong slope".to_string(),
-        2 => "a straight line".to_string(),
-        3 => "a parabola".to_string(),
-        4 => "a cubic".to_string(),
-        5 => "a quartic".to_string(),
-        degree => format!("a polynomial of degree {}", degree - 1),
-    }
+/// The power of the step that outputs are good to, and the polynomial of which that is true, where
+/// the power is as good as whole.
+pub fn as_of(power: Power) -> String {
+    let whole = libm::round(power.value);
+    let polynomial = match whole as u32 {
+        2 => ", as those on a straight line",
+        3 => ", as those on a parabola",
+        4 => ", as those on a cubic",
+        5 => ", as those on a quartic",
+        _ => "",
+    };
+    let told = (power.value - whole).abs() + power.uncertainty < 0.35;
+    format!("the power {} of the step{}", in_words(power), if told { polynomial } else { "" })
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -282,7 +282,7 @@ impl Rows {
                 Ok(errors) => {
                     let largest = errors.iter().copied().fold(0.0, libm::fmaximum);
                     rows.largest = libm::fmaximum(rows.largest, largest);
-                    if !(largest <= bound) {
+                    if largest > bound {
                         rows.wrong.push(format!("{name}: off by {} rad", scientific(largest)));
                     }
                 }

@@ -9,6 +9,7 @@ pub mod euler;
 pub mod high_order;
 mod list;
 pub mod processed;
+pub mod recorded;
 pub mod runge_kutta;
 pub mod solvers;
 pub mod verlet;

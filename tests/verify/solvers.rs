@@ -1,0 +1,137 @@
+//! The judge of solvers: on wrong ones, each with one slip, and on those of other projects, by
+//! their recorded answers.
+
+use pendula_judge::zoo::recorded::Recorded;
+use pendula_judge::zoo::solvers::wrong_solvers;
+use pendula_judge::{Claims, Report, SolveFn, Verdict, judge_solver};
+use rstest::rstest;
+
+/// The claims of a report that fail.
+fn failing(report: &Report) -> Vec<&'static str> {
+    report.failures().collect()
+}
+
+/// What is said of each wrong solver, to the word, and at the end the fewest properties that would
+/// do: `solvers.txt`. The first two have nothing wrong.
+///
+/// Catches: a property that no longer tells a right solver from a wrong one; a mistake that another
+/// property has to find; a cause that is not the cause.
+#[test]
+fn each_wrong_solver_is_caught() {
+    let mut said = Vec::new();
+    let mut caught = Vec::new();
+    for wrong in wrong_solvers() {
+        let report = judge_solver(&*wrong.solver, wrong.claims.parse().unwrap());
+        let failing = failing(&report);
+        assert_eq!(failing.is_empty(), wrong.name.starts_with("nothing wrong"), "{report}");
+        said.push(format!("{}: {}", wrong.name, failing.join(", ")));
+        said.extend(report.look_at.iter().map(|line| format!("    {line}")));
+        caught.extend((!failing.is_empty()).then_some(failing));
+    }
+    said.push(format!("\nThese alone catch all: {}\n", fewest(&caught).join(", ")));
+    assert_eq!(said.join("\n"), include_str!("solvers.txt"), "\n{}", said.join("\n"));
+}
+
+/// The fewest properties of which each list has one, the first such set in their order.
+fn fewest(caught: &[Vec<&'static str>]) -> Vec<&'static str> {
+    let mut all: Vec<&str> = caught.concat();
+    all.sort_unstable();
+    all.dedup();
+    let chosen = |set: u32| all.iter().enumerate().filter(move |(k, _)| set & (1 << k) != 0);
+    let catches =
+        |set: &u32| caught.iter().all(|list| chosen(*set).any(|(_, it)| list.contains(it)));
+    let set = (0..1_u32 << all.len()).filter(catches).min_by_key(|set| set.count_ones());
+    chosen(set.unwrap_or_default()).map(|(_, name)| *name).collect()
+}
+
+/// What the judge says of a recorded solver.
+fn recorded(answers: &str, claims: &str) -> Report {
+    judge_solver(&Recorded::read(answers), claims.parse().unwrap())
+}
+
+macro_rules! answers {
+    ($name:literal) => {
+        include_str!(concat!("solvers/", $name, ".txt"))
+    };
+}
+
+/// Solvers of other projects, as they answered: `book/judge/examples/record.rs`.
+///
+/// Catches: a bound that the library's own solvers keep and no others.
+#[rstest]
+#[case::scipy_rk23(answers!("SciPy-RK23"), "order=3 estimate=3 free-outputs crossings")]
+#[case::scipy_rk45(answers!("SciPy-RK45"), "order=5 estimate=5 free-outputs crossings")]
+#[case::scipy_dop853(answers!("SciPy-DOP853"), "order=8 estimate=8 free-outputs crossings")]
+#[case::scipy_radau(answers!("SciPy-Radau"), "order=5 estimate=4 free-outputs crossings")]
+#[case::scipy_bdf(answers!("SciPy-BDF"), "crossings")]
+#[case::scipy_lsoda(answers!("SciPy-LSODA"), "free-outputs crossings")]
+#[case::diffrax_dopri5(answers!("diffrax-Dopri5"), "order=5 estimate=5 crossings")]
+#[case::diffrax_tsit5(answers!("diffrax-Tsit5"), "order=5 estimate=5 crossings")]
+#[case::diffrax_dopri8(answers!("diffrax-Dopri8"), "order=8 estimate=8 crossings")]
+#[case::torchdiffeq_dopri5(answers!("torchdiffeq-dopri5"), "order=5 estimate=5 free-outputs")]
+#[case::cvode_adams(answers!("CVODE-Adams"), "crossings")]
+#[case::cvode_bdf(answers!("CVODE-BDF"), "crossings")]
+#[case::heyoka(answers!("heyoka"), "crossings")]
+fn right_solvers_hold(#[case] answers: &str, #[case] claims: &str) {
+    let report = recorded(answers, claims);
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
+}
+
+/// Published solvers whose outputs are worse than their steps, as the judge found them.
+///
+/// Catches: a measurement of outputs that sees none of this.
+#[rstest]
+#[case::kvaerno5(answers!("diffrax-Kvaerno5"), "as those on a cubic")]
+#[case::torchdiffeq_bosh3(answers!("torchdiffeq-bosh3"), "The end of a run is interpolated")]
+#[case::torchdiffeq_dopri8(answers!("torchdiffeq-dopri8"), "The end of a run is interpolated")]
+fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &str) {
+    let report = recorded(answers, "free-outputs");
+    assert!(failing(&report).contains(&"output"), "{report}");
+    assert!(report.look_at.iter().any(|line| line.contains(sentence)), "{report}");
+}
+
+/// Heun's method with the result of Euler's beside it, steps that stop at the outputs, and a
+/// function for all of it.
+///
+/// Catches: a function that cannot be judged, an order of 2 that is taken for another.
+#[test]
+fn a_function_is_judged() {
+    let heun =
+        SolveFn(|g: f64, theta: f64, omega: f64, from: f64, tolerance: f64, times: &[f64]| {
+            if !(tolerance > 0.0) || times.iter().any(|t| !t.is_finite()) {
+                return Err("a tolerance has to be positive, and times finite");
+            }
+            let rate = |(theta, omega): (f64, f64)| (omega, -g * f64::sin(theta));
+            let (mut t, mut z, mut count) = (from, (theta, omega), 0);
+            let mut step = (times[times.len() - 1] - from) / 100.0;
+            let mut rows = Vec::new();
+            for &until in times {
+                while t != until {
+                    let left = until - t;
+                    let h = if step.abs() < left.abs() { step } else { left };
+                    let k1 = rate(z);
+                    let k2 = rate((z.0 + h * k1.0, z.1 + h * k1.1));
+                    count += 2;
+                    let allowed = |x: f64, scale: f64| tolerance * (scale + x.abs());
+                    let error = (0.5 * h * (k2.0 - k1.0) / allowed(z.0, 1.0))
+                        .abs()
+                        .max((0.5 * h * (k2.1 - k1.1) / allowed(z.1, g.sqrt())).abs());
+                    let factor = (0.9 / error.max(1e-9).sqrt()).clamp(0.2, 5.0);
+                    if error <= 1.0 {
+                        z = (z.0 + 0.5 * h * (k1.0 + k2.0), z.1 + 0.5 * h * (k1.1 + k2.1));
+                        t = if h == left { until } else { t + h };
+                        // A step that was cut short says little about the next.
+                        step = if h == left && factor >= 1.0 { step } else { h * factor };
+                    } else {
+                        step = h * factor;
+                    }
+                }
+                rows.push(z);
+            }
+            Ok((rows, count))
+        });
+    let report = judge_solver(&heun, Claims::order(2).estimate(2));
+    assert!(failing(&report).is_empty(), "{report}");
+    let wrong = judge_solver(&heun, Claims::order(3).estimate(2));
+    assert_eq!(failing(&wrong), ["order"], "{wrong}");
+}
