@@ -2,8 +2,10 @@
 
 use core::fmt;
 
+use super::claims::Claims;
 use super::equation::Departure;
 use super::identity::{self, Identity};
+use super::look;
 use super::verdict::{Trouble, Verdict};
 use crate::known_answers::{self, Known};
 use pendula::systems::Phase;
@@ -94,6 +96,8 @@ pub struct Report {
     pub mistake: Option<&'static Known>,
     /// What is to be said of its step where it is none: order, symmetry and leading error.
     pub description: String,
+    /// What is to be said of it as a solver, where it was judged as both.
+    pub solver: Option<String>,
     /// What to look at to mend it: at most three sentences, the cause first.
     pub look_at: Vec<String>,
     /// Property by property.
@@ -133,8 +137,57 @@ impl Report {
         };
     }
 
+    /// With the claims that are not measured, as the word of the protocol that they need is not
+    /// known.
+    pub(crate) fn without_word<const N: usize>(
+        mut self,
+        word: &str,
+        claims: [(&'static str, Option<String>); N],
+    ) -> Self {
+        let made = claims.into_iter().filter(|(_, claimed)| claimed.is_some());
+        let unknown = made.map(|(name, claimed)| {
+            let why = format!("it does not know {word}");
+            Finding { name, claimed, ..Finding::nothing(why) }
+        });
+        let before = self.findings.len();
+        self.findings.extend(unknown);
+        if self.findings.len() > before {
+            self.conclude(false);
+        }
+        self
+    }
+
+    /// The report on a program that knows both words of the protocol: this one on its equal steps,
+    /// and `solver` on the same program as a solver. Where both have a property of the same name,
+    /// such as order, the solver's is called solve-order.
+    pub fn joined_with_solver(mut self, solver: Self) -> Self {
+        // What the one does not know, the other does.
+        let of_a_solver = Claims::none().of_a_solver().map(|(name, _)| name);
+        let of_steps = Claims::none().of_steps().map(|(name, _)| name);
+        self.findings.retain(|finding| !of_a_solver.contains(&finding.name));
+        self.solver = Some(solver.what_it_is());
+        let findings = solver.findings.into_iter();
+        let findings = findings.filter(|finding| !of_steps.contains(&finding.name));
+        self.findings.extend(findings.map(|it| Finding { name: beside_steps(it.name), ..it }));
+        self.look_at.extend(solver.look_at);
+        self.look_at.truncate(look::MOST);
+        self.evidence.tolerances = solver.evidence.tolerances;
+        self.evidence.outputs = solver.evidence.outputs;
+        self.conclude(!self.anything_claimed());
+        self
+    }
+
     /// What it is, in words without a full stop.
     pub fn what_it_is(&self) -> String {
+        let steps = self.what_its_steps_are();
+        match &self.solver {
+            Some(solver) => format!("{steps}; with a tolerance, it is {solver}"),
+            None => steps,
+        }
+    }
+
+    /// What it is by its equal steps, or, of what is a solver alone, what that is.
+    fn what_its_steps_are(&self) -> String {
         let of_mistake = || {
             let known = self.mistake?;
             let of = known_answers::method(&known.mistake.as_ref()?.of)?;
@@ -184,6 +237,20 @@ impl Report {
     #[track_caller]
     pub fn assert(&self) {
         assert!(self.verdict == Verdict::Holds, "\n{self}");
+    }
+}
+
+/// The name of a property of a solver in a report that has those of equal steps too.
+fn beside_steps(name: &'static str) -> &'static str {
+    match name {
+        "order" => "solve-order",
+        "output" => "solve-output",
+        "precision" => "solve-precision",
+        "mirror" => "solve-mirror",
+        "units" => "solve-units",
+        "turn" => "solve-turn",
+        "repeatable" => "solve-repeatable",
+        other => other,
     }
 }
 

@@ -48,10 +48,11 @@ pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, F
     if solver.solve(&extremes::first()) == Err(Fault::Unsupported) {
         return Err(Fault::Unsupported);
     }
-    properties(Asked(solver), &claims).map_err(|trouble| match trouble {
+    let report = properties(Asked(solver), &claims).map_err(|trouble| match trouble {
         Trouble::Broken(why) => Fault::Broken(why),
         other => Fault::Refused(other.to_string()),
-    })
+    })?;
+    Ok(report.without_word("pendulum", claims.of_steps()))
 }
 
 /// What was measured of a solver, from which is told what to look at.
