@@ -267,14 +267,14 @@ fn evaluations(tolerances: &[Tolerance], power: Option<Power>) -> Option<String>
         counted.iter().copied(),
     );
     let told = power.map(|power| match power {
-        Power::Claimed(power) => (f64::from(power), format!("{power}, claimed")),
-        Power::Found(power) => (power, format!("{power:.1}, found")),
+        Power::Claimed(power) => (f64::from(power), power.to_string(), "claimed"),
+        Power::Found(power) => (power, format!("{power:.1}"), "found"),
     });
     let mut slope = String::new();
-    if let Some((power, told)) = told {
+    if let Some((power, digits, how)) = told {
         // Long steps tell no power: from the smallest tolerance.
-        chart = chart.slope(-1.0 / power, last, first.0, format!("slope −1/{told}"));
-        slope = "; along the dotted line they grow as the estimate has it".to_string();
+        chart = chart.slope(-1.0 / power, last, first.0, format!("slope −1/{digits}, {how}"));
+        slope = format!("; the dotted line grows with the power q = {digits} that is {how}");
     }
     let caption = format!(
         "Force evaluations of three runs against the tolerance, both axes logarithmic. With an \
