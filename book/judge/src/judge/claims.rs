@@ -9,8 +9,8 @@ use crate::known_answers::{self, Known};
 /// output, mirror, turn, units, clock, repeatable, precision, and stage times where there is a
 /// drive) is not listed here.
 ///
-/// The order is claimed of equal steps and of a solver, whichever is judged. A claim that belongs to
-/// the other one is not measured, and the report says so.
+/// The order is claimed of equal steps and of a solver, whichever is judged. A claim that belongs
+/// to the other one is not measured, and the report says so.
 ///
 /// ```
 /// use pendula_judge::Claims;
