@@ -241,8 +241,8 @@ mod tests {
         }
     }
 
-    /// Catches: numbers in another order; a tolerance or a time that is impossible, or an equal one,
-    /// which the judge asks for on purpose, refused here or changed.
+    /// Catches: numbers in another order; a tolerance or a time that is impossible, or an equal
+    /// one, which the judge asks for on purpose, refused here or changed.
     #[test]
     fn a_request_to_a_solver_is_read_as_it_was_written() {
         let start = Phase { theta: -1.0 / 3.0, omega: 5e-324 };

@@ -240,6 +240,7 @@ impl Asked {
     fn so_far(self, came: u64) -> String {
         match self {
             Self::States(states) => format!("{came} of {states} states"),
+            Self::Crossings if came == 1 => "1 crossing".to_string(),
             Self::Crossings => format!("{came} crossings"),
         }
     }

@@ -3,36 +3,85 @@
 
 use core::fmt;
 
-use crate::judge::probe::{G_OVER_L, exact, frequency};
+use crate::judge::probe::{G_OVER_L, exact};
 use crate::judge::verdict::{Measured, Trouble};
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
 use crate::stranger::{Fault, Reply};
 use pendula::exact::Motion;
 use pendula::systems::Phase;
 
-/// How long most runs are (s): five swings and a half.
-pub const DURATION: f64 = 10.0;
-
-/// Where most runs start: a wide swing from rest, a smaller one, and a rotation.
-pub const STARTS: [Phase; 3] =
-    [Phase::at_rest(2.0), Phase { theta: -0.7, omega: 2.1 }, Phase { theta: 0.4, omega: 8.0 }];
-
 /// The tolerance of the runs whose tolerance does not matter: far from rounding for every method,
 /// and quick.
 pub const USUAL: f64 = 1e-7;
 
-/// The pendulum of most requests from `start`.
-pub const fn from(start: Phase, tolerance: f64) -> SolveRequest {
-    SolveRequest::new(G_OVER_L, start, tolerance)
+/// The pendulum that most requests are about, and their runs.
+#[derive(Clone, Copy, Debug)]
+pub struct Scenes {
+    /// g/L (1/s²).
+    pub g_over_l: f64,
+    /// Where runs start (rad, rad/s).
+    pub starts: [Phase; 3],
+    /// How long they are (s).
+    pub duration: f64,
+}
+
+impl Scenes {
+    /// A wide swing from rest, a smaller one, and a rotation, for five swings and a half.
+    pub const USUAL: Self = Self {
+        g_over_l: G_OVER_L,
+        starts: [
+            Phase::at_rest(2.0),
+            Phase { theta: -0.7, omega: 2.1 },
+            Phase { theta: 0.4, omega: 8.0 },
+        ],
+        duration: 10.0,
+    };
+
+    /// ω₀ (rad/s).
+    pub fn frequency(&self) -> f64 {
+        libm::sqrt(self.g_over_l)
+    }
+
+    /// A run from `start`.
+    pub const fn run(&self, start: Phase, tolerance: f64) -> SolveRequest {
+        SolveRequest::new(self.g_over_l, start, tolerance)
+    }
+
+    /// A state with its velocity in units of ω₀.
+    pub fn state(&self, theta: f64, omega: f64) -> Phase {
+        Phase { theta, omega: omega * self.frequency() }
+    }
+
+    /// The exact motion from `start`.
+    pub fn motion(&self, start: Phase) -> Motion {
+        exact(self.g_over_l, start)
+    }
+
+    /// The distance of two states: max(|Δθ|, |Δω|/ω₀) (rad), NaN if one of them is.
+    pub fn apart(&self, a: Phase, b: Phase) -> f64 {
+        apart(self.g_over_l, a, b)
+    }
+
+    /// What rounding may make of a run with so many evaluations (rad): each step rounds the state
+    /// by ε, which adds up like a random walk in the state and, since an error of the energy is one
+    /// of the frequency, grows with the time in the phase. Ten is what the largest of some thousand
+    /// such sums may exceed their mean by. Steps are at most as many as evaluations.
+    pub fn rounding(&self, evaluations: u64) -> f64 {
+        let phase = 1.0 + self.frequency() * self.duration;
+        10.0 * f64::EPSILON * libm::sqrt(evaluations as f64) * phase
+    }
 }
 
 /// A solver, asked.
 #[derive(Clone, Copy)]
-pub struct Asked<'s>(pub &'s dyn Solver);
+pub struct Asked<'s> {
+    pub solver: &'s dyn Solver,
+    pub scenes: Scenes,
+}
 
 impl fmt::Debug for Asked<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Asked").finish_non_exhaustive()
+        f.debug_struct("Asked").field("scenes", &self.scenes).finish_non_exhaustive()
     }
 }
 
@@ -47,7 +96,7 @@ fn trouble(fault: Fault) -> Trouble {
 impl Asked<'_> {
     /// The answer, with as many finite states as were asked for.
     pub fn reply(&self, request: &SolveRequest) -> Measured<Reply> {
-        let reply = self.0.solve(request).map_err(trouble)?;
+        let reply = self.solver.solve(request).map_err(trouble)?;
         let (asked, came) = (request.times.len() as u64, reply.states.len() as u64);
         if came != asked {
             return Err(Trouble::Count { asked, came });
@@ -60,7 +109,7 @@ impl Asked<'_> {
 
     /// The passages through zero.
     pub fn crossings(&self, request: &CrossingsRequest) -> Measured<Crossings> {
-        self.0.crossings(request).map_err(trouble)
+        self.solver.crossings(request).map_err(trouble)
     }
 
     /// The errors (rad) of the states of a request without a drive.
@@ -82,19 +131,6 @@ pub fn errors(request: &SolveRequest, states: &[Phase]) -> Vec<f64> {
 pub fn apart(g_over_l: f64, a: Phase, b: Phase) -> f64 {
     let along = (a.omega - b.omega).abs() / libm::sqrt(g_over_l);
     libm::fmaximum((a.theta - b.theta).abs(), along)
-}
-
-/// What rounding may make of a run with so many evaluations (rad): each step rounds the state by
-/// ε, which adds up like a random walk in the state and, since an error of the energy is one of the
-/// frequency, grows with the time in the phase. Ten is what the largest of some thousand such sums
-/// may exceed their mean by. Steps are at most as many as evaluations.
-pub fn rounding(evaluations: u64) -> f64 {
-    10.0 * f64::EPSILON * libm::sqrt(evaluations as f64) * (1.0 + frequency() * DURATION)
-}
-
-/// The exact motion of most requests.
-pub fn motion(start: Phase) -> Motion {
-    exact(G_OVER_L, start)
 }
 
 /// `count` times (s), evenly spaced, the last of them at `end`.

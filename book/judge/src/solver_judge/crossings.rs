@@ -1,22 +1,23 @@
 //! Passages through zero.
 
-use super::asked::{Asked, DURATION, apart, motion};
+use super::asked::{Asked, Scenes};
 use super::ladder::{Ladder, Rung};
-use crate::judge::probe::G_OVER_L;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
 use crate::solver::CrossingsRequest;
 use pendula::systems::Phase;
 
-/// Where runs begin whose passages are asked for.
-const RUNS: [(&str, Phase, f64); 6] = [
-    ("a wide swing", Phase::at_rest(2.0), DURATION),
-    ("a slow passage", Phase::at_rest(0.02), DURATION),
-    ("a rotation", Phase { theta: -7.0, omega: 8.0 }, 2.0),
-    ("a start on zero", Phase { theta: 0.0, omega: 3.0 }, DURATION),
-    ("an end on zero", Phase::at_rest(1.0), f64::NAN),
-    ("a run backwards", Phase { theta: -0.7, omega: 2.1 }, -DURATION),
+/// Runs whose passages are asked for: θ and ω/ω₀ at the start, and ω₀t at the end.
+const RUNS: [(&str, f64, f64, f64); 6] = [
+    ("a wide swing", 2.0, 0.0, LONG),
+    ("a slow passage", 0.02, 0.0, LONG),
+    ("a rotation", -7.0, 2.3, 7.0),
+    ("a start on zero", 0.0, 0.85, LONG),
+    ("an end on zero", 1.0, 0.0, f64::NAN),
+    ("a run backwards", -0.7, 0.6, -LONG),
 ];
+/// Some five swings.
+const LONG: f64 = 35.0;
 
 /// The tolerances at which they are asked for: steps are long and short. The second is the smallest
 /// to 10⁻¹¹ whose runs are not long.
@@ -40,9 +41,9 @@ pub struct Passages {
 }
 
 /// The exact times of the passages of a run, in order.
-fn exact_times(start: Phase, until: f64) -> Vec<f64> {
+fn exact_times(scenes: &Scenes, start: Phase, until: f64) -> Vec<f64> {
     const LOOKS: u32 = 4000;
-    let motion = motion(start);
+    let motion = scenes.motion(start);
     let theta = |t: f64| motion.at(t).theta;
     let at = |k: u32| until * f64::from(k) / f64::from(LOOKS);
     let mut times = Vec::new();
@@ -66,12 +67,16 @@ fn exact_times(start: Phase, until: f64) -> Vec<f64> {
     times
 }
 
-/// The runs, with the exact times of their passages.
-fn runs() -> impl Iterator<Item = (&'static str, Phase, f64, Vec<f64>)> {
-    RUNS.into_iter().map(|(name, start, until)| {
-        let last = |times: Vec<f64>| times.last().copied().unwrap_or(DURATION);
-        let until = if until.is_nan() { last(exact_times(start, DURATION)) } else { until };
-        (name, start, until, exact_times(start, 1.001 * until))
+/// The runs, with their ends (s) and the exact times of their passages.
+fn runs(scenes: &Scenes) -> impl Iterator<Item = (&'static str, Phase, f64, Vec<f64>)> {
+    RUNS.into_iter().map(|(name, theta, omega, until)| {
+        let start = scenes.state(theta, omega);
+        let long = LONG / scenes.frequency();
+        let until = match until.is_nan() {
+            true => exact_times(scenes, start, long).last().copied().unwrap_or(long),
+            false => until / scenes.frequency(),
+        };
+        (name, start, until, exact_times(scenes, start, 1.001 * until))
     })
 }
 
@@ -79,20 +84,22 @@ impl Passages {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
         let mut passages =
             Self { wrong: Vec::new(), ratio: 0.0, counts: (0, 0), every_second: false };
+        let scenes = asked.scenes;
         for tolerance in tolerances(ladder) {
             // Seconds near an end in which a passage may be told or not.
             let bound = 3.0 * ladder.error_at(tolerance);
-            for (name, start, until, times) in runs() {
-                let request = CrossingsRequest::new(G_OVER_L, start, [0.0, until], tolerance);
+            for (name, start, until, times) in runs(&scenes) {
+                let request =
+                    CrossingsRequest::new(scenes.g_over_l, start, [0.0, until], tolerance);
                 let found = asked.crossings(&request)?;
-                let speed = |t: f64| motion(start).at(t).omega.abs();
+                let speed = |t: f64| scenes.motion(start).at(t).omega.abs();
                 let optional = |t: f64| {
                     let near = |end: f64| (t - end).abs() * speed(t) <= bound.max(1e-9);
                     near(0.0) || near(until)
                 };
                 let inside = |t: f64| t.abs() <= until.abs() || optional(t);
                 let times: Vec<f64> = times.into_iter().filter(|t| inside(*t)).collect();
-                passages.compare(name, start, bound, &found, &times, optional);
+                passages.compare(&scenes, name, start, bound, &found, &times, optional);
             }
         }
         Ok(passages)
@@ -100,6 +107,7 @@ impl Passages {
 
     fn compare(
         &mut self,
+        scenes: &Scenes,
         name: &str,
         start: Phase,
         bound: f64,
@@ -109,18 +117,22 @@ impl Passages {
     ) {
         let mut left: Vec<(f64, Phase)> = found.to_vec();
         let mut missing = Vec::new();
-        let motion = motion(start);
+        let motion = scenes.motion(start);
         for (index, time) in times.iter().enumerate() {
             let nearest = left
                 .iter()
                 .enumerate()
                 .min_by(|a, b| (a.1.0 - time).abs().total_cmp(&(b.1.0 - time).abs()));
-            let half = times.windows(2).map(|w| 0.5 * (w[1] - w[0]).abs()).fold(0.5, f64::min);
+            let half = times
+                .windows(2)
+                .map(|w| 0.5 * (w[1] - w[0]).abs())
+                .fold(f64::INFINITY, f64::min)
+                .min(2.0 / scenes.frequency());
             match nearest.filter(|(_, it)| (it.0 - time).abs() < half) {
                 Some((k, _)) => {
                     let (t, z) = left.remove(k);
                     let exact = motion.at(*time);
-                    let error = apart(G_OVER_L, z, exact).max((t - time).abs() * exact.omega.abs());
+                    let error = scenes.apart(z, exact).max((t - time).abs() * exact.omega.abs());
                     // A NaN is worse than all.
                     if !(error / bound <= self.ratio) {
                         self.ratio = error / bound;

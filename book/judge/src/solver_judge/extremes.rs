@@ -1,8 +1,8 @@
 //! What has no right answer, and a drive.
 
-use super::asked::{self, Asked, DURATION, STARTS};
+use super::asked::{self, Asked, Scenes};
 use super::ladder::Ladder;
-use crate::judge::probe::{G_OVER_L, pendulum};
+use crate::judge::probe::pendulum;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::SolveRequest;
@@ -17,11 +17,11 @@ pub struct Refusal {
     wrong: Vec<String>,
 }
 
-/// A tolerance of no meaning, and whether its run may have a right end all the same.
+/// A tolerance, and the end of a run in units of its duration.
 const IMPOSSIBLE: [(&str, f64, f64); 4] = [
-    ("a tolerance of zero", 0.0, DURATION),
-    ("a negative tolerance", -1e-6, DURATION),
-    ("a tolerance that is no number", f64::NAN, DURATION),
+    ("a tolerance of zero", 0.0, 1.0),
+    ("a negative tolerance", -1e-6, 1.0),
+    ("a tolerance that is no number", f64::NAN, 1.0),
     ("a time that never comes", 1e-6, f64::INFINITY),
 ];
 
@@ -33,7 +33,8 @@ impl Refusal {
     pub fn of(asked: Asked<'_>) -> Self {
         let mut wrong = Vec::new();
         for (name, tolerance, until) in IMPOSSIBLE {
-            let request = asked::from(STARTS[0], tolerance).to(&[until]);
+            let Scenes { starts, duration, .. } = asked.scenes;
+            let request = asked.scenes.run(starts[0], tolerance).to(&[until * duration]);
             match asked.reply(&request) {
                 Ok(_) if until.is_infinite() => wrong.push(format!("{name}: it has a state")),
                 Ok(reply) => {
@@ -74,15 +75,23 @@ pub struct DrivenRuns {
     runs: Vec<(f64, f64, f64)>,
 }
 
-/// The force A cos Ωt of these runs: about as strong as gravity, and off resonance.
-const DRIVE: Drive = Drive { amplitude: 5.0, frequency: 2.3 };
-
-/// The times (s) at which driven runs end.
-const ENDS: [f64; 2] = [2.5, 5.0];
+/// The force A cos Ωt of these runs, A in units of g/L and Ω in units of ω₀: nearly half as strong
+/// as gravity, and off resonance.
+const DRIVE: [f64; 2] = [0.4, 0.65];
+/// θ and ω/ω₀ at their start.
+const START: [f64; 2] = [-0.7, 0.6];
+/// Their ends, ω₀t.
+const ENDS: [f64; 2] = [9.0, 18.0];
 
 impl DrivenRuns {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let truth = exact(STARTS[1])?;
+        let scenes = asked.scenes;
+        let frequency = scenes.frequency();
+        let drive =
+            Drive { amplitude: DRIVE[0] * scenes.g_over_l, frequency: DRIVE[1] * frequency };
+        let start = scenes.state(START[0], START[1]);
+        let ends = ENDS.map(|until| until / frequency);
+        let truth = exact(scenes.g_over_l, start, drive, ends)?;
         let mut runs = Vec::new();
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
             let allowed = ladder.error_at(tolerance);
@@ -91,10 +100,10 @@ impl DrivenRuns {
                 continue;
             }
             let mut largest = 0.0;
-            for (until, exact) in ENDS.into_iter().zip(truth) {
-                let request = asked::from(STARTS[1], tolerance).driven(DRIVE).to(&[until]);
+            for (until, exact) in ends.into_iter().zip(truth) {
+                let request = scenes.run(start, tolerance).driven(drive).to(&[until]);
                 let end = asked.reply(&request)?.states[0];
-                largest = libm::fmaximum(largest, asked::apart(G_OVER_L, end, exact));
+                largest = libm::fmaximum(largest, scenes.apart(end, exact));
             }
             runs.push((tolerance, largest, 30.0 * allowed + 1e-11));
         }
@@ -125,22 +134,28 @@ impl DrivenRuns {
     }
 }
 
-/// The driven motion by the library's method of order 8 with a tolerance of 10⁻¹⁴: off by less
-/// than 10⁻¹² rad, as runs at tighter tolerances show.
-fn exact(start: Phase) -> Measured<[Phase; ENDS.len()]> {
+/// The driven motion by the library's method of order 8 with a tolerance of 10⁻¹⁴, in units of time
+/// in which ω₀ is 1: off by less than 10⁻¹² rad, as runs at tighter tolerances show.
+fn exact(g_over_l: f64, start: Phase, drive: Drive, ends: [f64; 2]) -> Measured<[Phase; 2]> {
     let unknown = |error: &dyn core::fmt::Display| Trouble::NoAnswer(error.to_string());
-    let driven = system(pendulum(G_OVER_L), DRIVE).map_err(|fault| unknown(&fault))?;
+    let frequency = libm::sqrt(g_over_l);
+    let drive =
+        Drive { amplitude: drive.amplitude / g_over_l, frequency: drive.frequency / frequency };
+    let driven = system(pendulum(1.0), drive).map_err(|fault| unknown(&fault))?;
     let tolerance = Tolerance::uniform(1e-14).map_err(|error| unknown(&error))?;
     let adaptive = Adaptive::new(Dop853, tolerance);
-    let mut states = [start; ENDS.len()];
-    for (state, until) in states.iter_mut().zip(ENDS) {
-        let end = adaptive.integrate(&driven, start, 0.0, until, &mut ());
-        *state = end.map_err(|error| unknown(&error))?.0;
+    let scaled = Phase { omega: start.omega / frequency, ..start };
+    let mut states = [scaled; 2];
+    for (state, until) in states.iter_mut().zip(ends) {
+        let end = adaptive.integrate(&driven, scaled, 0.0, until * frequency, &mut ());
+        let end = end.map_err(|error| unknown(&error))?.0;
+        *state = Phase { omega: end.omega * frequency, ..end };
     }
     Ok(states)
 }
 
 /// A request of no meaning other than to see whether it is understood.
 pub fn first() -> SolveRequest {
-    asked::from(STARTS[0], 1e-3).to(&[0.1])
+    let Scenes { g_over_l, starts, .. } = Scenes::USUAL;
+    SolveRequest::new(g_over_l, starts[0], 1e-3).to(&[0.1])
 }

@@ -3,8 +3,12 @@
 
 use std::time::{Duration, Instant};
 
-use super::asked::{self, Asked, DURATION, Power, STARTS, USUAL, power, rounding};
+use super::asked::{self, Asked, Power, Scenes, USUAL, power};
 use crate::judge::verdict::{Measured, Trouble};
+use pendula::systems::Phase;
+
+/// Runs at each tolerance.
+pub const RUNS: usize = Scenes::USUAL.starts.len();
 
 /// A tolerance, and what came of it.
 #[derive(Clone, Debug)]
@@ -12,11 +16,13 @@ pub struct Rung {
     /// The tolerance.
     pub tolerance: f64,
     /// The error at the end of each run (rad).
-    pub errors: [f64; STARTS.len()],
+    pub errors: [f64; RUNS],
     /// Evaluations of all runs together, where somebody counts.
     pub evaluations: Option<u64>,
+    /// What rounding may make of the errors (rad).
+    pub rounding: f64,
     /// The states at the ends.
-    pub ends: [pendula::Phase; STARTS.len()],
+    pub ends: [Phase; RUNS],
 }
 
 impl Rung {
@@ -28,17 +34,17 @@ impl Rung {
     /// The geometric mean of the errors (rad): one of them may vanish by chance.
     pub fn mean(&self) -> f64 {
         let logs: f64 = self.errors.iter().map(|e| libm::log(libm::fmax(*e, 1e-18))).sum();
-        libm::exp(logs / STARTS.len() as f64)
+        libm::exp(logs / RUNS as f64)
     }
 
-    /// What rounding may make of the error (rad).
-    pub fn rounding(&self) -> f64 {
-        rounding(self.evaluations.unwrap_or(30_000) / STARTS.len() as u64)
+    /// Evaluations of one run; where nobody counts, of a run of thousands of steps.
+    pub fn a_run(&self) -> u64 {
+        self.evaluations.map_or(10_000, |all| all / RUNS as u64)
     }
 
     /// Whether its error is that of the steps, neither rounding nor as large as the motion.
     fn tells(&self) -> bool {
-        self.mean() > 3.0 * self.rounding() && self.largest() < 0.1
+        self.mean() > 3.0 * self.rounding && self.largest() < 0.1
     }
 }
 
@@ -56,6 +62,8 @@ pub struct Floor {
 /// The runs, from loose to tight.
 #[derive(Clone, Debug)]
 pub struct Ladder {
+    /// What was asked.
+    pub scenes: Scenes,
     /// What came of each tolerance.
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
@@ -84,9 +92,9 @@ const ENOUGH: u64 = 400_000;
 impl Ladder {
     /// Asks as far as patience allows.
     pub fn of(asked: Asked<'_>) -> Measured<Self> {
-        let mut ladder = Self { rungs: Vec::new(), ended: None };
+        let mut ladder = Self { scenes: asked.scenes, rungs: Vec::new(), ended: None };
         let mut last = Duration::ZERO;
-        let allowed = asked.0.patience() / 4;
+        let allowed = asked.solver.patience() / 4;
         for k in 0..RUNGS {
             let tolerance = tolerance(k);
             let begun = Instant::now();
@@ -105,7 +113,7 @@ impl Ladder {
             last = took;
             let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
             let enough = evaluations.is_some_and(|n| n > ENOUGH);
-            if k + 1 < RUNGS && (enough || last.mul_f64(growth) > allowed * STARTS.len() as u32) {
+            if k + 1 < RUNGS && (enough || last.mul_f64(growth) > allowed * RUNS as u32) {
                 let at = ladder.rungs.last().map_or(0.0, |rung| rung.tolerance);
                 ladder.ended = Some(format!("smaller tolerances than {at:.0e} take too long"));
                 break;
@@ -167,7 +175,7 @@ impl Ladder {
         let mut least = f64::INFINITY;
         let mut worst = (1.0, self.rungs.first().map_or(0.0, |rung| rung.tolerance));
         for rung in &self.rungs {
-            let error = libm::fmaximum(rung.mean(), rung.rounding());
+            let error = libm::fmaximum(rung.mean(), rung.rounding);
             if !(error / least <= worst.0) {
                 worst = (error / least, rung.tolerance);
             }
@@ -180,8 +188,8 @@ impl Ladder {
     /// is; of runs whose error is not as large as the motion.
     pub fn an_evaluation(&self) -> Option<(f64, f64)> {
         let each = self.rungs.iter().filter(|rung| rung.tells()).filter_map(|rung| {
-            let evaluations = rung.evaluations? as f64 / STARTS.len() as f64;
-            Some((rung.largest() / rung.tolerance / evaluations, rung.tolerance))
+            rung.evaluations?;
+            Some((rung.largest() / rung.tolerance / rung.a_run() as f64, rung.tolerance))
         });
         each.max_by(|a, b| a.0.total_cmp(&b.0))
     }
@@ -195,7 +203,7 @@ impl Ladder {
         let flat = &self.rungs[first..];
         let is_flat = flat[0].tolerance / last.tolerance > 90.0;
         let idle = flat[1..].iter().all(|rung| rung.ends == last.ends);
-        let is_more = least > 3.0 * last.rounding();
+        let is_more = least > 3.0 * last.rounding;
         let floor = Floor { tolerance: flat[0].tolerance, error: least, idle };
         (is_flat && is_more && least < 0.1).then_some(floor)
     }
@@ -203,18 +211,15 @@ impl Ladder {
 
 /// The runs with this tolerance, each to its end.
 fn rung(asked: Asked<'_>, tolerance: f64) -> Measured<Rung> {
-    let mut rung = Rung {
-        tolerance,
-        errors: [0.0; STARTS.len()],
-        evaluations: Some(0),
-        ends: [pendula::Phase::default(); STARTS.len()],
-    };
-    for (k, start) in STARTS.into_iter().enumerate() {
-        let request = asked::from(start, tolerance).to(&[DURATION]);
+    let Scenes { starts, duration, .. } = asked.scenes;
+    let mut rung =
+        Rung { tolerance, errors: [0.0; RUNS], evaluations: Some(0), rounding: 0.0, ends: starts };
+    for (k, start) in starts.into_iter().enumerate() {
+        let request = asked.scenes.run(start, tolerance).to(&[duration]);
         let reply = asked.reply(&request)?;
         rung.errors[k] = asked::errors(&request, &reply.states)[0];
         rung.ends[k] = reply.states[0];
         rung.evaluations = rung.evaluations.zip(reply.evaluations).map(|(a, b)| a + b);
     }
-    Ok(rung)
+    Ok(Rung { rounding: asked.scenes.rounding(rung.a_run()), ..rung })
 }

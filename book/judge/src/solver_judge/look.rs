@@ -3,10 +3,9 @@
 use core::f64::consts::TAU;
 
 use super::Found;
-use super::asked::{DURATION, STARTS, apart, motion};
-use super::ladder::{Floor, Ladder};
+use super::asked::Scenes;
+use super::ladder::{Floor, Ladder, RUNS};
 use super::outputs::{Outputs, in_words, polynomial, rounded};
-use crate::judge::probe::G_OVER_L;
 use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
 use pendula::Phase;
@@ -49,8 +48,8 @@ type Known = (&'static str, fn(&Found) -> Option<Cause>);
 
 const CAUSES: &[Known] = &[
     ("precision", |_| Some(("States are numbers of single precision.".to_string(), END))),
-    ("tolerance", |found| wrapped(&found.ladder)),
-    ("tolerance", |found| other_time(&found.ladder)),
+    ("tolerance", |found| wrapped(found)),
+    ("tolerance", |found| other_time(found)),
     ("estimate", |found| {
         let hopeless = found.ladder.estimate().is_some_and(|power| power.value < 1.5);
         let sentence = "The estimate is of first power: a weight of the embedded method is wrong.";
@@ -164,10 +163,11 @@ fn uneven(ladder: &Ladder) -> Cause {
 }
 
 /// An angle that is handed out whole turns off.
-fn wrapped(ladder: &Ladder) -> Option<Cause> {
-    let rung = ladder.rungs.last()?;
-    let wrapped = STARTS.into_iter().zip(rung.ends).any(|(start, end)| {
-        let off = end.theta - motion(start).at(DURATION).theta;
+fn wrapped(found: &Found) -> Option<Cause> {
+    let Scenes { starts, duration, .. } = found.scenes;
+    let rung = found.ladder.rungs.last()?;
+    let wrapped = starts.into_iter().zip(rung.ends).any(|(start, end)| {
+        let off = end.theta - found.scenes.motion(start).at(duration).theta;
         let turns = libm::round(off / TAU);
         turns != 0.0 && (off - turns * TAU).abs() < 1e-3
     });
@@ -176,9 +176,8 @@ fn wrapped(ladder: &Ladder) -> Option<Cause> {
 }
 
 /// The end of a rotation that is the state of another time, which it has but once.
-fn other_time(ladder: &Ladder) -> Option<Cause> {
-    let last = STARTS.len() - 1;
-    let shift = shift(STARTS[last], ladder.rungs.last()?.ends[last])?;
+fn other_time(found: &Found) -> Option<Cause> {
+    let shift = shift(&found.scenes, found.ladder.rungs.last()?.ends[RUNS - 1])?;
     let way = match shift > 0.0 {
         true => "later: the last step runs over the end",
         false => "earlier: a run stops before its end",
@@ -186,17 +185,18 @@ fn other_time(ladder: &Ladder) -> Option<Cause> {
     Some((format!("At the end it has the state of {} s {way}.", scientific(shift.abs())), END))
 }
 
-/// By how much later (s) the exact motion has this state, if it has it, and if that is more than
-/// the error of a phase.
-fn shift(start: Phase, end: Phase) -> Option<f64> {
+/// By how much later (s) the rotation has this state, if it has it, and if that is more than the
+/// error of a phase.
+fn shift(scenes: &Scenes, end: Phase) -> Option<f64> {
     const LOOKS: u32 = 4000;
-    let motion = motion(start);
-    let distance = |t: f64| apart(G_OVER_L, end, motion.at(DURATION + t));
-    let at = |k: u32| DURATION * (2.0 * f64::from(k) / f64::from(LOOKS) - 1.0);
+    let Scenes { starts, duration, .. } = *scenes;
+    let motion = scenes.motion(starts[RUNS - 1]);
+    let distance = |t: f64| scenes.apart(end, motion.at(duration + t));
+    let at = |k: u32| duration * (2.0 * f64::from(k) / f64::from(LOOKS) - 1.0);
     let nearest = (0..=LOOKS).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
-    let mut step = DURATION / f64::from(LOOKS);
+    let mut step = duration / f64::from(LOOKS);
     let mut best = nearest;
-    while step > 1e-9 {
+    while step > 1e-10 * duration {
         for shifted in [best - step, best + step] {
             if distance(shifted) < distance(best) {
                 best = shifted;
@@ -204,5 +204,5 @@ fn shift(start: Phase, end: Phase) -> Option<f64> {
         }
         step *= 0.5;
     }
-    (distance(best) < 0.02 * distance(0.0) && best.abs() > 1e-4).then_some(best)
+    (distance(best) < 0.02 * distance(0.0) && best.abs() > 1e-5 * duration).then_some(best)
 }

@@ -9,7 +9,7 @@ mod outputs;
 mod same;
 mod steps;
 
-use asked::Asked;
+use asked::{Asked, Scenes};
 use ladder::Ladder;
 use outputs::{Asking, Many, Outputs, Rows};
 
@@ -48,15 +48,21 @@ pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, F
     if solver.solve(&extremes::first()) == Err(Fault::Unsupported) {
         return Err(Fault::Unsupported);
     }
-    let report = properties(Asked(solver), &claims).map_err(|trouble| match trouble {
+    let report = judge_in(solver, &claims, Scenes::USUAL)?;
+    Ok(report.without_word("pendulum", claims.of_steps()))
+}
+
+/// Judges `solver` in other scenes, as tests do.
+fn judge_in(solver: &dyn Solver, claims: &Claims, scenes: Scenes) -> Result<Report, Fault> {
+    properties(Asked { solver, scenes }, claims).map_err(|trouble| match trouble {
         Trouble::Broken(why) => Fault::Broken(why),
         other => Fault::Refused(other.to_string()),
-    })?;
-    Ok(report.without_word("pendulum", claims.of_steps()))
+    })
 }
 
 /// What was measured of a solver, from which is told what to look at.
 struct Found {
+    scenes: Scenes,
     ladder: Ladder,
     outputs: Option<Outputs>,
     only_one_way: bool,
@@ -179,6 +185,6 @@ impl Judge<'_> {
         if let Some(outputs) = &outputs {
             self.report.evidence.outputs.clone_from(&outputs.run);
         }
-        Ok(Found { ladder, outputs, only_one_way })
+        Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way })
     }
 }

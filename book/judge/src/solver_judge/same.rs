@@ -3,10 +3,9 @@
 
 use core::f64::consts::TAU;
 
-use super::asked::{self, Asked, DURATION, STARTS};
+use super::asked::{Asked, Scenes};
 use super::ladder::Ladder;
 use super::outputs::rounded;
-use crate::judge::probe::{G_OVER_L, frequency};
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
 use crate::solver::SolveRequest;
@@ -45,9 +44,11 @@ fn largest(asked: Asked<'_>, requests: impl IntoIterator<Item = SolveRequest>) -
 
 /// Runs backwards, from the start into the past and from the exact end to the start.
 pub fn back(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
-    let past = STARTS.map(|start| asked::from(start, ladder.usual()).to(&[-DURATION]));
-    let returning = STARTS.map(|start| {
-        asked::from(asked::motion(start).at(DURATION), ladder.usual()).from(DURATION).to(&[0.0])
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
+    let past = starts.map(|start| scenes.run(start, ladder.usual()).to(&[-duration]));
+    let returning = starts.map(|start| {
+        scenes.run(scenes.motion(start).at(duration), ladder.usual()).from(duration).to(&[0.0])
     });
     let usual = ladder.usual_error()?;
     Ok(Off {
@@ -61,16 +62,21 @@ pub fn back(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
 const FAR: f64 = 1e6;
 
 /// Runs that begin at t₀ = ±10⁶ s. Each step rounds t there by half a unit in the last place, and
-/// always alike if the steps are; the state moves by at most 2.3 ω₀ in a second, here.
+/// always alike if the steps are; the state moves no faster than at the bottom.
 pub fn start(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
-    let evaluations = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1 * ladder.usual());
-    let evaluations = evaluations.and_then(|rung| rung.evaluations).unwrap_or(30_000);
-    let steps = evaluations as f64 / STARTS.len() as f64;
-    let clock = steps * 0.5 * f64::EPSILON * FAR * 2.3 * frequency();
-    let far = [FAR, -FAR].into_iter().flat_map(|from| {
-        STARTS.map(|start| asked::from(start, ladder.usual()).from(from).to(&[from + DURATION]))
-    });
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
     let usual = ladder.usual_error()?;
+    let rung = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1 * ladder.usual());
+    let steps = rung.map_or(0.0, |rung| rung.a_run() as f64);
+    let fastest = starts.into_iter().map(|z| {
+        let height = 2.0 * libm::sin(0.5 * z.theta);
+        libm::sqrt(z.omega * z.omega + scenes.g_over_l * height * height)
+    });
+    let clock = steps * 0.5 * f64::EPSILON * FAR * fastest.fold(0.0, f64::max);
+    let far = [FAR, -FAR].into_iter().flat_map(|from| {
+        starts.map(|start| scenes.run(start, ladder.usual()).from(from).to(&[from + duration]))
+    });
     Ok(Off { largest: largest(asked, far)?, bound: 10.0 * usual + clock, usual })
 }
 
@@ -80,13 +86,15 @@ const FASTER: f64 = 1e3;
 /// Runs in other units of time. A solver with one absolute tolerance for θ and ω, which is a common
 /// choice, allows ω up to 1/ω₀ times as much in slow units, and no more.
 pub fn units(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
     let usual = ladder.usual_error()?;
-    let looser = FASTER / frequency();
+    let looser = FASTER / scenes.frequency();
     let counted = [FASTER, 1.0 / FASTER].into_iter().flat_map(|faster| {
-        STARTS.map(|start| {
+        starts.map(|start| {
             let start = Phase { omega: start.omega * faster, ..start };
-            let g_over_l = G_OVER_L * faster * faster;
-            SolveRequest::new(g_over_l, start, ladder.usual()).to(&[DURATION / faster])
+            let g_over_l = scenes.g_over_l * faster * faster;
+            SolveRequest::new(g_over_l, start, ladder.usual()).to(&[duration / faster])
         })
     });
     Ok(Off { largest: largest(asked, counted)?, bound: 10.0 * usual * looser, usual })
@@ -96,37 +104,43 @@ pub fn units(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
 /// bit where the arithmetic has no favourite sign; a step that is refused on one side alone changes
 /// the end by a part of its error.
 pub fn mirror(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
     let usual = ladder.usual_error()?;
     let mut largest = 0.0;
-    for start in STARTS {
+    for start in starts {
         let mirrored = Phase { theta: -start.theta, omega: -start.omega };
         let [here, there] =
-            [start, mirrored].map(|start| asked::from(start, ladder.usual()).to(&[DURATION]));
+            [start, mirrored].map(|start| scenes.run(start, ladder.usual()).to(&[duration]));
         let (here, there) = (asked.reply(&here)?.states[0], asked.reply(&there)?.states[0]);
         let back = Phase { theta: -there.theta, omega: -there.omega };
-        largest = libm::fmaximum(largest, asked::apart(G_OVER_L, here, back));
+        largest = libm::fmaximum(largest, scenes.apart(here, back));
     }
     Ok(Off { largest, bound: usual / 30.0, usual })
 }
 
 /// Runs that begin ten full turns further: the relative tolerance allows θ as much more.
 pub fn turn(asked: Asked<'_>, ladder: &Ladder) -> Measured<Off> {
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
     let usual = ladder.usual_error()?;
-    let further = STARTS.map(|start| {
+    let further = starts.map(|start| {
         let start = Phase { theta: start.theta + 10.0 * TAU, ..start };
-        asked::from(start, ladder.usual()).to(&[DURATION])
+        scenes.run(start, ladder.usual()).to(&[duration])
     });
     Ok(Off { largest: largest(asked, further)?, bound: 10.0 * usual * 10.0 * TAU, usual })
 }
 
 /// Whether the ends of the ladder come out the same when they are asked for again.
 pub fn other_answers(asked: Asked<'_>, ladder: &Ladder) -> Measured<usize> {
+    let scenes = asked.scenes;
+    let Scenes { starts, duration, .. } = scenes;
     let mut other = 0;
     for rung in
         ladder.rungs.iter().filter(|rung| rung.tolerance > 0.9 * ladder.usual()).rev().take(3)
     {
-        for (start, before) in STARTS.into_iter().zip(rung.ends) {
-            let now = asked.reply(&asked::from(start, rung.tolerance).to(&[DURATION]))?.states[0];
+        for (start, before) in starts.into_iter().zip(rung.ends) {
+            let now = asked.reply(&scenes.run(start, rung.tolerance).to(&[duration]))?.states[0];
             other += usize::from(now != before);
         }
     }

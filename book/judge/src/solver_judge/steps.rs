@@ -60,7 +60,7 @@ pub fn tolerance(ladder: &Ladder) -> Finding {
             ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default()
         ),
     };
-    let beside = reference(&ByTolerance::new(DormandPrince));
+    let beside = reference(ladder, &ByTolerance::new(DormandPrince));
     let why = format!(
         "it has to fall at least as tol^{least:.2}, never to rise more than {RISE:.0} times, and to \
          be {AN_EVALUATION:.0} tolerances at most for each evaluation ({}); Dormand–Prince's is {} \
@@ -91,8 +91,12 @@ fn multiple(ladder: &Ladder, tolerance: f64) -> f64 {
 }
 
 /// The ladder of a method of the library.
-fn reference(solver: &dyn Solver) -> Ladder {
-    Ladder::of(Asked(solver)).unwrap_or(Ladder { rungs: Vec::new(), ended: None })
+fn reference(ladder: &Ladder, solver: &dyn Solver) -> Ladder {
+    Ladder::of(Asked { solver, scenes: ladder.scenes }).unwrap_or(Ladder {
+        scenes: ladder.scenes,
+        rungs: Vec::new(),
+        ended: None,
+    })
 }
 
 /// Whether somebody counts.
@@ -214,8 +218,10 @@ pub fn effort(ladder: &Ladder) -> Finding {
         });
         points
     };
-    let others =
-        [reference(&ByTolerance::new(DormandPrince)), reference(&ByTolerance::new(Dop853))];
+    let others = [
+        reference(ladder, &ByTolerance::new(DormandPrince)),
+        reference(ladder, &ByTolerance::new(Dop853)),
+    ];
     let ratios: Option<Vec<f64>> =
         others.iter().map(|it| Some(at(ladder, 1e-6)? / at(it, 1e-6)?)).collect();
     let Some(values) = ratios else {

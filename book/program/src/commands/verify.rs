@@ -63,7 +63,8 @@ pub enum ReportFormat {
     Markdown,
 }
 
-/// A language that has an example to begin with: Störmer–Verlet, its evaluations counted.
+/// A language that has an example to begin with: Störmer–Verlet, its evaluations counted; or, for
+/// a solver that chooses its steps, Dormand and Prince's method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Language {
     /// Python 3
@@ -76,6 +77,10 @@ enum Language {
     Rust,
     /// Julia
     Julia,
+    /// Python 3, a solver with a tolerance
+    SolverPython,
+    /// Rust, a solver with a tolerance
+    SolverRust,
 }
 
 impl Language {
@@ -87,6 +92,8 @@ impl Language {
             Self::C => include_str!("../verify/examples/verlet.c"),
             Self::Rust => include_str!("../verify/examples/verlet.rs"),
             Self::Julia => include_str!("../verify/examples/verlet.jl"),
+            Self::SolverPython => include_str!("../verify/examples/solver.py"),
+            Self::SolverRust => include_str!("../verify/examples/solver.rs"),
         }
     }
 }

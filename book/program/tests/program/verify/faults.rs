@@ -1,5 +1,6 @@
 //! Programs at fault: each is told in one line, in time, and leaves no process behind.
 
+use std::fmt::Debug;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -7,7 +8,11 @@ use std::process::{Command, Output, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pendula_judge::{Drive, Fault, Program, Request, Stranger};
+use pendula::Phase;
+use pendula_judge::{
+    Claims, CrossingsRequest, Drive, Fault, Program, Request, SolveRequest, Solver, Stranger,
+    try_judge_solver,
+};
 use rstest::rstest;
 use tempfile::TempDir;
 
@@ -81,7 +86,12 @@ fn runs(number: &str) -> bool {
 /// What is wrong with the reply.
 #[track_caller]
 fn broken(program: &Program, request: &Request) -> String {
-    match program.answer(request) {
+    why_broken(program.answer(request))
+}
+
+#[track_caller]
+fn why_broken<T: Debug>(reply: Result<T, Fault>) -> String {
+    match reply {
         Err(Fault::Broken(why)) => why,
         other => panic!("{other:?}"),
     }
@@ -145,6 +155,121 @@ fn a_fault_is_told_in_one_line() {
     // It depends on how soon it comes what is said of its second line.
     let eager = refused(&Script::new("exec yes hello 1 x").verified());
     assert!(eager.contains("\"hello 1 x\" came: "), "{eager}");
+}
+
+/// Programs at fault when they are asked for two states.
+const OVER_TWO_STATES: [&str; 13] = [
+    "exec sleep 1000",
+    "exec yes 0.5 0.5",
+    "exec cat /dev/zero",
+    "echo 0.5 0.5\nkill -9 $$",
+    "echo 0.5 0.5\nexec sleep 1000",
+    "echo 0.5 0.5\nprintf '0.5 0.'",
+    "echo 0.5 0.5\necho done 7\ncat",
+    "echo done 7\ncat",
+    "echo 0.5 0.5\necho 0.5 0.5\necho 0.5 0.5\necho done 7\ncat",
+    "echo 0.5 0.5\necho nan nan\necho done 7\ncat",
+    "echo 0.5 inf\ncat",
+    "echo 2.5 0.5 0.5\ncat",
+    "echo 0.5 0.5\necho unsupported\ncat",
+];
+
+/// Programs at fault when they are asked for the crossings from 0 to 10 s.
+const OVER_CROSSINGS: [&str; 9] = [
+    "exec sleep 1000",
+    "exec yes 0.5 0.0 0.5",
+    "echo 0.5 0.0 0.5\nkill -9 $$",
+    "echo 0.5 0.0 0.5\nexec sleep 1000",
+    "echo 0.5 0.0 0.5\necho 0.25 0.0 -0.5\necho done 7\ncat",
+    "echo nan 0.0 0.5\necho done 7\ncat",
+    "echo 0.5 0.0 nan\ncat",
+    "echo 0.0 0.5\ncat",
+    "echo 0.5 0.0 0.5\necho unsupported\ncat",
+];
+
+/// What is told of the program that goes on with `rest` when it is asked so, in one line.
+#[track_caller]
+fn told_of<T: Debug>(rest: &str, ask: impl Fn(&Program) -> Result<T, Fault>) -> String {
+    let begin = Instant::now();
+    let script = Script::greeting(rest);
+    let program = script.started(0.5);
+    let why = why_broken(ask(&program));
+    assert_eq!(why_broken(ask(&program)), why);
+    assert!(begin.elapsed() < Duration::from_secs(8), "{why}");
+    assert!(!why.contains(char::is_control) && why.len() < 1000, "{why:?}");
+    script.leaves_nothing();
+    why.replace(script.0.path().to_str().unwrap(), "FOLDER") + "\n"
+}
+
+/// Catches: a solver that is waited for without an end, is left running, or ends the judge; a part
+/// of an answer, or one of another length, taken for the whole; NaN, or a state, for a crossing;
+/// crossings without an end, or in another order than that of the run, that reach the judge; what
+/// was asked left out of the message.
+#[test]
+fn a_fault_of_a_solver_is_told_in_one_line() {
+    let solve = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&[2.5, 5.0]);
+    let states = OVER_TWO_STATES.map(|rest| told_of(rest, |program| program.solve(&solve)));
+    let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
+    let passages = OVER_CROSSINGS.map(|rest| told_of(rest, |one| one.crossings(&crossings)));
+    insta::assert_snapshot!(states.concat() + &passages.concat());
+}
+
+/// Catches: a judge of solvers that takes a broken protocol for a refusal, goes on asking, or does
+/// not say what came; a program that knows no solvers taken for one at fault.
+#[test]
+fn the_judge_of_solvers_stops_at_a_fault() {
+    let judged = |program: &Program| try_judge_solver(program, Claims::order(5).crossings());
+    for (rest, because) in [
+        ("exec sleep 1000", "given up after 0.5 s"),
+        ("exec yes 0.5 0.5", "and does not say done"),
+        ("echo 0.5 0.5\nkill -9 $$", "it ended (signal: 9 (SIGKILL))"),
+        ("echo done 7\ncat", "\"done 7\" came: it has sent 0 of"),
+        ("echo nan nan\ncat", "\"nan nan\" came: θ is not finite"),
+    ] {
+        let why = told_of(rest, judged);
+        assert!(why.contains(because) && why.contains("asked \"solve "), "{why}");
+    }
+    let script = Script::greeting("echo unsupported\nread -r line");
+    assert_eq!(judged(&script.started(10.0)), Err(Fault::Unsupported));
+    script.leaves_nothing();
+}
+
+/// Catches: the way back held for a wrong order, or the way out for it; two crossings at the same
+/// time, or none, refused.
+#[test]
+fn crossings_have_the_order_of_the_run() {
+    let script = "echo 0.5 0 1\necho 0.5 0 1\necho 0.25 0 1\necho done";
+    let back = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [1.0, 0.0], 1e-8);
+    let program = Script::greeting(script);
+    let crossings = program.started(10.0).crossings(&back).unwrap();
+    assert_eq!(crossings.iter().map(|(t, _)| *t).collect::<Vec<_>>(), [0.5, 0.5, 0.25]);
+    let out = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 1.0], 1e-8);
+    let why = told_of(script, |program| program.crossings(&out));
+    assert!(why.contains("\"0.25 0 1\" came: it comes before 0.5 s"), "{why}");
+    let none = Script::greeting("echo done 12");
+    assert_eq!(none.started(10.0).crossings(&out), Ok(Vec::new()));
+}
+
+/// Catches: a wait for a program that does not read a question of megabytes, or has ended before
+/// it; a message that quotes all of it.
+#[test]
+fn a_long_question_does_not_keep_the_judge() {
+    let times: Vec<f64> = (1..=100_000).map(|k| f64::from(k) / 30_001.0).collect();
+    let request = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&times);
+    for (patience, then, because) in [
+        (0.5, "exec sleep 1000", "given up after 0.5 s, without an answer"),
+        (10.0, "exit 3", "it ended (exit status: 3), without an answer"),
+        (10.0, "head -n 1 > /dev/null\necho 1 2\necho done\ncat", "it has sent 1 of 100000 states"),
+        (10.0, "echo 1 2\necho done\ncat > /dev/null", "it has sent 1 of 100000 states"),
+    ] {
+        let begin = Instant::now();
+        let script = Script::new(&format!("read -r line\necho hello 1 x\n{then}"));
+        let why = why_broken(script.started(patience).solve(&request));
+        let is_told = why.contains(because) || why.contains("before the question");
+        assert!(is_told && why.contains("asked \"solve 9.81 2.0 0.0 0.0 1e-8 3.3"), "{why}");
+        assert!(why.len() < 1000 && begin.elapsed() < Duration::from_secs(8), "{why}");
+        script.leaves_nothing();
+    }
 }
 
 /// Catches: patience for the first request alone, or for each line instead of each answer; a

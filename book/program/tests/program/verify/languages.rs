@@ -7,13 +7,17 @@ use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pendula::methods::StormerVerlet;
-use pendula_judge::{Drive, Fault, Stranger};
+use pendula::methods::{Dop853, StormerVerlet};
+use pendula::{Motion, Pendulum, Phase, exact};
+use pendula_judge::{
+    ByTolerance, Claims, CrossingsRequest, Drive, Fault, Program, Reply, SolveRequest, Solver,
+    Stranger, Verdict, try_judge_solver,
+};
 use rstest::rstest;
 use serde_json::Value;
 
 use super::{judged, request, started};
-use crate::{printed, words};
+use crate::{PENDULA, printed, words};
 
 /// Whether there is such a tool; says so if there is none.
 pub fn there_is(tool: &str) -> bool {
@@ -41,8 +45,14 @@ fn is_stormer_verlet(words: &[&str]) {
             assert!(apart < 1e-12, "{request}: {theirs:?} is not {ours:?}");
         }
     }
+    // What it does not know it says, and knows the rest as before.
     let driven = request(0.01, 10).driven(Drive { amplitude: 0.5, frequency: 2.0 });
+    let solve = SolveRequest::new(9.81, Phase::at_rest(1.0), 1e-8).to(&[1.0]);
+    let crossings = CrossingsRequest::new(9.81, Phase::at_rest(1.0), [0.0, 1.0], 1e-8);
     assert_eq!(program.answer(&driven), Err(Fault::Unsupported));
+    assert_eq!(program.solve(&solve), Err(Fault::Unsupported));
+    assert_eq!(program.crossings(&crossings), Err(Fault::Unsupported));
+    assert!(program.answer(&request(0.01, 10)).is_ok());
 }
 
 /// Each is written to FILE, compiled to PROGRAM where it has to be, and run.
@@ -59,17 +69,145 @@ fn an_example_is_stormer_verlet(#[case] language: &str, #[case] tool: &str, #[ca
     if !there_is(tool) {
         return;
     }
+    with_example(language, line, is_stormer_verlet);
+}
+
+/// Prints the example, compiles it where it has to be, and has the words that start it looked at.
+fn with_example(language: &str, line: &str, look: fn(&[&str])) {
     let folder = tempfile::tempdir().unwrap();
-    let [file, program] = ["verlet", "program"].map(|name| folder.path().join(name));
+    let [file, program] = ["example", "program"].map(|name| folder.path().join(name));
     let [file, program] = [&file, &program].map(|path| path.to_str().unwrap());
     fs::write(file, printed(&["verify", "--example", language])).unwrap();
     let line = line.replace("FILE", file).replace("PROGRAM", program);
+    let start = words(&line);
     if !line.contains(program) {
-        return is_stormer_verlet(&words(&line));
+        return look(&start);
     }
-    let output = Command::new(tool).args(&words(&line)[1..]).output().unwrap();
+    let output = Command::new(start[0]).args(&start[1..]).output().unwrap();
     assert!(output.status.success(), "{output:?}");
-    is_stormer_verlet(&[program]);
+    look(&[program]);
+}
+
+/// The largest difference from the exact motion, with ω in units of ω₀, of the reply to `request`.
+fn error(program: &Program, request: &SolveRequest) -> f64 {
+    let SolveRequest { g_over_l, start, from, ref times, .. } = *request;
+    let pendulum = Pendulum::new(g_over_l, 1.0, 1.0).unwrap();
+    let motion = Motion::new(&pendulum, start).unwrap();
+    let states = program.solve(request).unwrap().states;
+    let apart = |(t, z): (&f64, &Phase)| {
+        let exact = motion.at(t - from);
+        let of_omega = (z.omega - exact.omega).abs() / g_over_l.sqrt();
+        (z.theta - exact.theta).abs().max(of_omega)
+    };
+    times.iter().zip(&states).map(apart).fold(0.0, f64::max)
+}
+
+/// Holds the program of these words against the exact motion, and before the judge.
+fn is_dormand_prince(words: &[&str]) {
+    let program = started(words, 60.0).unwrap();
+    assert_eq!(program.name(), "my solver");
+    let start = Phase { theta: 2.0, omega: 0.3 };
+    let solve = |tolerance| SolveRequest::new(9.81, start, tolerance);
+
+    // Of this run the library's Dormand–Prince has an error of some 100 tolerances, for an error
+    // of a step of one tolerance grows with the time, by ten or so over 10 s, and there are 100
+    // steps and more. The evaluations are ∝ tolerance^(−1/5), as an estimate of order 5 has it.
+    let mut evaluations = Vec::new();
+    for tolerance in [1e-5, 1e-8, 1e-11] {
+        let request = solve(tolerance).to(&[10.0]);
+        let at_the_end = error(&program, &request);
+        assert!(at_the_end < 300.0 * tolerance, "{tolerance}: {at_the_end}");
+        let reply = program.solve(&request).unwrap();
+        evaluations.push(reply.evaluations.unwrap());
+        // At no time between is it worse, and the run is the same.
+        let times: Vec<f64> = (0..=1000).map(|k| f64::from(k) / 100.0).collect();
+        let request = solve(tolerance).to(&times);
+        let between = error(&program, &request);
+        assert!(between < 300.0 * tolerance, "{tolerance}: {between}");
+        let many = program.solve(&request).unwrap();
+        assert_eq!(
+            (many.states.last(), many.evaluations),
+            (reply.states.last(), reply.evaluations)
+        );
+    }
+    let decades = (evaluations[2] as f64 / evaluations[1] as f64).log10();
+    assert!((3.0 / decades - 5.0).abs() < 0.5, "{evaluations:?}");
+
+    // A thousand times in one step, equal times, the way back, another time of the start, and
+    // another unit of time.
+    let thousand: Vec<f64> = (0..1000).map(|k| 1e-6 * f64::from(k)).collect();
+    let fast = Phase { omega: 300.0, ..start };
+    for request in [
+        solve(1e-8).to(&thousand),
+        solve(1e-8).to(&[0.0, 0.0, 2.5, 2.5, 10.0, 10.0]),
+        solve(1e-8).to(&[0.0, -2.5, -10.0]),
+        solve(1e-8).from(3.0).to(&[3.0]),
+        solve(1e-8).from(1e6).to(&[1_000_002.5, 1_000_010.0]),
+        SolveRequest::new(9.81e6, fast, 1e-8).to(&[0.0025, 0.01]),
+    ] {
+        let error = error(&program, &request);
+        assert!(error < 3e-6, "{error} {request:?}");
+    }
+    let states = program.solve(&solve(1e-8).to(&[0.0, 0.0, 2.5, 2.5])).unwrap().states;
+    assert_eq!((states[0], states[1], states[2]), (start, start, states[3]));
+
+    // A quarter of the period, and halves of it behind.
+    let quarter = exact::period(&Pendulum::new(9.81, 1.0, 1.0).unwrap(), 2.0).unwrap() / 4.0;
+    for [from, until] in [[0.0, 10.0], [10.0, 0.0], [-1e6, 10.0 - 1e6]] {
+        let request = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [from, until], 1e-9);
+        let crossings = program.crossings(&request).unwrap();
+        assert_eq!(crossings.len(), 8, "{crossings:?}");
+        for ((t, z), odd) in crossings.iter().zip((1..).step_by(2)) {
+            let expected = from + f64::from(odd) * quarter * (until - from).signum();
+            assert!((t - expected).abs() < 1e-7 && z.theta.abs() < 1e-14, "{t} {expected} {z:?}");
+        }
+    }
+    // It turns over, and passes zero never again.
+    let over = CrossingsRequest::new(9.81, Phase { theta: 0.1, omega: 9.0 }, [0.0, 10.0], 1e-9);
+    assert_eq!(program.crossings(&over), Ok(Vec::new()));
+
+    // What is impossible is refused, and ends nothing.
+    let refused = |reply: Result<Reply, Fault>| matches!(reply, Err(Fault::Refused(_)));
+    for tolerance in [f64::NAN, f64::INFINITY, 0.0, -1e-8, 1e-300] {
+        assert!(refused(program.solve(&solve(tolerance).to(&[1.0]))), "{tolerance}");
+    }
+    for times in [&[f64::INFINITY][..], &[f64::NAN], &[1.0, f64::NAN, 2.0], &[2.0, 1.0], &[1e300]] {
+        assert!(refused(program.solve(&solve(1e-8).to(times))), "{times:?}");
+    }
+    let never = [0.0, f64::INFINITY];
+    let never = CrossingsRequest::new(9.81, start, never, 1e-8);
+    assert!(matches!(program.crossings(&never), Err(Fault::Refused(_))));
+    let driven = solve(1e-8).driven(Drive { amplitude: 0.5, frequency: 2.0 }).to(&[1.0]);
+    assert_eq!(program.solve(&driven), Err(Fault::Unsupported));
+    assert_eq!(program.answer(&request(0.1, 1)), Err(Fault::Unsupported));
+
+    let claims = Claims::order(5).estimate(5).free_outputs().crossings();
+    let report = try_judge_solver(&started(words, 10.0).unwrap(), claims).unwrap();
+    assert_eq!(report.verdict, Verdict::Holds, "{report}");
+}
+
+/// Catches: an example of a solver that does not run; a wrong coefficient, in a stage, in the error
+/// or between the steps; times that change the run, or are left out; a start at another time than
+/// zero, a way back or another unit of time that it was not made for; a crossing that is missed,
+/// told twice, or is not where the motion passes zero; the impossible tried for ever.
+#[rstest]
+#[case::python("solver-python", "python3", "python3 FILE")]
+#[case::rust("solver-rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
+fn an_example_is_a_solver(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
+    if there_is(tool) {
+        with_example(language, line, is_dormand_prince);
+    }
+}
+
+/// Catches: a line of megabytes that is cut on its way, or whose answer is.
+#[test]
+fn a_solver_is_asked_for_a_hundred_thousand_times() {
+    let times: Vec<f64> = (1..=100_000).map(|k| f64::from(k) / 30_001.0).collect();
+    let request = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&times);
+    assert!(request.to_string().len() > 1_000_000);
+    let program = started([PENDULA, "serve", "dop853"], 60.0).unwrap();
+    let reply = program.solve(&request).unwrap();
+    assert_eq!(reply, ByTolerance::new(Dop853).solve(&request).unwrap());
 }
 
 /// Catches: an example that is missing, or is in another language.
