@@ -50,6 +50,7 @@ pub enum Command {
     /// cannot be judged
     #[command(display_order = 2, after_help = examples(&[
         "pendula verify --claims \"order=2 symplectic\" -- pendula serve stormer-verlet",
+        "pendula verify --claims \"order=8 estimate=8 crossings\" -- pendula serve dop853",
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),

@@ -9,6 +9,9 @@ use crate::known_answers::{self, Known};
 /// output, mirror, turn, units, clock, repeatable, precision, and stage times where there is a
 /// drive) is not listed here.
 ///
+/// The order is claimed of equal steps and of a solver, whichever is judged. A claim that belongs
+/// to the other one is not measured, and the report says so.
+///
 /// ```
 /// use pendula_judge::Claims;
 ///
@@ -93,6 +96,28 @@ impl Claims {
     /// And that a solver finds where θ passes zero.
     pub fn crossings(self) -> Self {
         Self { crossings: true, ..self }
+    }
+
+    /// What is claimed of the properties that equal steps alone have, by their names.
+    pub(crate) fn of_steps(&self) -> [(&'static str, Option<String>); 5] {
+        let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
+        [
+            ("area", word(self.symplectic, "symplectic")),
+            ("reversal", word(self.symmetric, "symmetric")),
+            ("energy", word(self.bounded_energy, "bounded")),
+            ("evaluations", self.evaluations.map(|a_step| format!("{a_step} a step"))),
+            ("name", self.name.clone()),
+        ]
+    }
+
+    /// What is claimed of the properties that a solver alone has, by their names.
+    pub(crate) fn of_a_solver(&self) -> [(&'static str, Option<String>); 3] {
+        let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
+        [
+            ("estimate", self.estimate.map(|power| power.to_string())),
+            ("free-outputs", word(self.free_outputs, "free")),
+            ("crossings", word(self.crossings, "crossings")),
+        ]
     }
 
     /// The method that is claimed.

@@ -17,7 +17,7 @@ struct Cause {
 }
 
 /// The most that is said.
-const MOST: usize = 3;
+pub const MOST: usize = 3;
 
 /// What to look at, and what follows from it for the name.
 pub struct Looking {

@@ -56,10 +56,11 @@ pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
 /// # Errors
 /// [`Fault::Broken`] says what the stranger did, if it broke the protocol.
 pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Fault> {
-    report(stranger, &claims).map_err(|trouble| match trouble {
+    let report = report(stranger, &claims).map_err(|trouble| match trouble {
         Trouble::Broken(why) => Fault::Broken(why),
         other => Fault::Refused(other.to_string()),
-    })
+    })?;
+    Ok(report.without_word("solve", claims.of_a_solver()))
 }
 
 /// What is found of `stranger`: of its own states, if what it takes or hands out was changed in a

@@ -2,8 +2,10 @@
 
 use core::fmt;
 
+use super::claims::Claims;
 use super::equation::Departure;
 use super::identity::{self, Identity};
+use super::look;
 use super::verdict::{Trouble, Verdict};
 use crate::known_answers::{self, Known};
 use pendula::systems::Phase;
@@ -94,6 +96,8 @@ pub struct Report {
     pub mistake: Option<&'static Known>,
     /// What is to be said of its step where it is none: order, symmetry and leading error.
     pub description: String,
+    /// What is to be said of it as a solver, where it was judged as both.
+    pub solver: Option<String>,
     /// What to look at to mend it: at most three sentences, the cause first.
     pub look_at: Vec<String>,
     /// Property by property.
@@ -133,8 +137,57 @@ impl Report {
         };
     }
 
+    /// With the claims that are not measured, as the word of the protocol that they need is not
+    /// known.
+    pub(crate) fn without_word<const N: usize>(
+        mut self,
+        word: &str,
+        claims: [(&'static str, Option<String>); N],
+    ) -> Self {
+        let made = claims.into_iter().filter(|(_, claimed)| claimed.is_some());
+        let unknown = made.map(|(name, claimed)| {
+            let why = format!("it does not know {word}");
+            Finding { name, claimed, ..Finding::nothing(why) }
+        });
+        let before = self.findings.len();
+        self.findings.extend(unknown);
+        if self.findings.len() > before {
+            self.conclude(false);
+        }
+        self
+    }
+
+    /// The report on a program that knows both words of the protocol: this one on its equal steps,
+    /// and `solver` on the same program as a solver. Where both have a property of the same name,
+    /// such as order, the solver's is called solve-order.
+    pub fn joined_with_solver(mut self, solver: Self) -> Self {
+        // What the one does not know, the other does.
+        let of_a_solver = Claims::none().of_a_solver().map(|(name, _)| name);
+        let of_steps = Claims::none().of_steps().map(|(name, _)| name);
+        self.findings.retain(|finding| !of_a_solver.contains(&finding.name));
+        self.solver = Some(solver.what_it_is());
+        let findings = solver.findings.into_iter();
+        let findings = findings.filter(|finding| !of_steps.contains(&finding.name));
+        self.findings.extend(findings.map(|it| Finding { name: beside_steps(it.name), ..it }));
+        self.look_at.extend(solver.look_at);
+        self.look_at.truncate(look::MOST);
+        self.evidence.tolerances = solver.evidence.tolerances;
+        self.evidence.outputs = solver.evidence.outputs;
+        self.conclude(!self.anything_claimed());
+        self
+    }
+
     /// What it is, in words without a full stop.
     pub fn what_it_is(&self) -> String {
+        let steps = self.what_its_steps_are();
+        match &self.solver {
+            Some(solver) => format!("{steps}; with a tolerance, it is {solver}"),
+            None => steps,
+        }
+    }
+
+    /// What it is by its equal steps, or, of what is a solver alone, what that is.
+    fn what_its_steps_are(&self) -> String {
         let of_mistake = || {
             let known = self.mistake?;
             let of = known_answers::method(&known.mistake.as_ref()?.of)?;
@@ -184,6 +237,20 @@ impl Report {
     #[track_caller]
     pub fn assert(&self) {
         assert!(self.verdict == Verdict::Holds, "\n{self}");
+    }
+}
+
+/// The name of a property of a solver in a report that has those of equal steps too.
+fn beside_steps(name: &'static str) -> &'static str {
+    match name {
+        "order" => "solve-order",
+        "output" => "solve-output",
+        "precision" => "solve-precision",
+        "mirror" => "solve-mirror",
+        "units" => "solve-units",
+        "turn" => "solve-turn",
+        "repeatable" => "solve-repeatable",
+        other => other,
     }
 }
 
@@ -284,4 +351,97 @@ pub fn slopes(slopes: &[f64]) -> String {
     let text = slopes.iter().map(|slope| format!("{slope:.2}").replace('-', "−"));
     let text = text.map(|text| if text == "−0.00" { "0.00".to_string() } else { text });
     text.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use pendula::methods::{DormandPrince, StormerVerlet};
+
+    use super::*;
+    use crate::{ByTolerance, judge, judge_solver};
+
+    /// What is said of the claim of this property.
+    #[track_caller]
+    fn said<'r>(report: &'r Report, name: &str) -> (Option<&'r str>, Verdict, &'r str) {
+        let mut those = report.findings.iter().filter(|finding| finding.name == name);
+        let (Some(finding), None) = (those.next(), those.next()) else {
+            panic!("{name}: {report}")
+        };
+        (finding.claimed.as_deref(), finding.verdict, &finding.why)
+    }
+
+    /// Catches: a claim of a solver made of what takes equal steps, or the other way round, that is
+    /// dropped in silence, holds, fails, or is said of what nobody claims.
+    #[test]
+    fn a_claim_that_has_no_word_is_not_measured() {
+        let unknown = |claimed, why| (Some(claimed), Verdict::NotMeasured, why);
+        let claims = Claims::order(2).symplectic().estimate(5).free_outputs().crossings();
+        let steps = judge(&StormerVerlet, claims);
+        for (name, claimed) in
+            [("estimate", "5"), ("free-outputs", "free"), ("crossings", "crossings")]
+        {
+            assert_eq!(said(&steps, name), unknown(claimed, "it does not know solve"));
+        }
+        assert_eq!((steps.verdict, said(&steps, "area").1), (Verdict::NotMeasured, Verdict::Holds));
+        let of_another = judge(&StormerVerlet, Claims::order(4).estimate(5));
+        assert_eq!(of_another.verdict, Verdict::Fails);
+        for claims in [Claims::none(), Claims::order(2)] {
+            assert_eq!(judge(&StormerVerlet, claims).finding("estimate"), None);
+        }
+
+        let solver = ByTolerance::new(DormandPrince);
+        let claims = Claims::order(5).symplectic().symmetric().bounded_energy();
+        let solver = judge_solver(&solver, claims.evaluations(6).name("dormand-prince"));
+        for (name, claimed) in [
+            ("area", "symplectic"),
+            ("reversal", "symmetric"),
+            ("energy", "bounded"),
+            ("evaluations", "6 a step"),
+            ("name", "dormand-prince"),
+        ] {
+            assert_eq!(said(&solver, name), unknown(claimed, "it does not know pendulum"));
+        }
+        assert_eq!(
+            (solver.verdict, said(&solver, "order").1),
+            (Verdict::NotMeasured, Verdict::Holds)
+        );
+    }
+
+    /// Catches: two properties of one name, a claim that is known to one of the two and told to be
+    /// unknown by the other, or judged by one alone; a verdict on steps, or on the solver, alone;
+    /// what it is, what to look at, or a figure, of one of them lost.
+    #[test]
+    fn reports_on_steps_and_solver_are_one() {
+        let both = |claims: &Claims| {
+            let steps = judge(&DormandPrince, claims.clone());
+            let solver = judge_solver(&ByTolerance::new(DormandPrince), claims.clone());
+            (steps.clone(), solver.clone(), steps.joined_with_solver(solver))
+        };
+        let claims = Claims::order(5).estimate(5).free_outputs().crossings();
+        let (steps, solver, joined) = both(&claims.clone().name("dormand-prince"));
+        joined.assert();
+        let names: BTreeSet<&str> = joined.findings.iter().map(|finding| finding.name).collect();
+        assert_eq!(names.len(), joined.findings.len(), "{joined}");
+        for (name, of) in [("order", &steps), ("solve-order", &solver), ("solve-output", &solver)] {
+            let alone = of.finding(name.trim_start_matches("solve-")).unwrap();
+            assert_eq!(joined.finding(name).unwrap(), &Finding { name, ..alone.clone() });
+        }
+        let [of_steps, of_solver] = [&steps, &solver].map(Report::what_it_is);
+        assert_eq!(joined.what_it_is(), format!("{of_steps}; with a tolerance, it is {of_solver}"));
+        assert_eq!(joined.evidence.ladder, steps.evidence.ladder);
+        assert_eq!(joined.evidence.tolerances, solver.evidence.tolerances);
+        assert!(!joined.evidence.outputs.is_empty() && !joined.evidence.tolerances.is_empty());
+
+        let (_, solver, joined) = both(&claims.clone().estimate(9));
+        assert_eq!((joined.verdict, joined.failures().next()), (Verdict::Fails, Some("estimate")));
+        assert_eq!(joined.look_at, solver.look_at);
+        let (steps, solver, joined) = both(&claims.estimate(9).symplectic().evaluations(5));
+        assert_eq!(joined.failures().collect::<Vec<_>>(), ["area", "evaluations", "estimate"]);
+        let look_at = [steps.look_at, solver.look_at].concat();
+        assert_eq!(joined.look_at, look_at[..look_at.len().min(3)]);
+        let (.., joined) = both(&Claims::none());
+        assert_eq!(joined.verdict, Verdict::Unclaimed, "{joined}");
+    }
 }

@@ -86,6 +86,22 @@ impl Program {
         &self.name
     }
 
+    /// Whether it knows `pendulum`, and so can be judged by its equal steps.
+    ///
+    /// # Errors
+    /// [`Fault::Broken`] if it breaks the protocol.
+    pub fn knows_pendulum(&self) -> Result<bool, Fault> {
+        known(self.answer(&steps(200)))
+    }
+
+    /// Whether it knows `solve`, and so can be judged as a solver.
+    ///
+    /// # Errors
+    /// [`Fault::Broken`] if it breaks the protocol.
+    pub fn knows_solve(&self) -> Result<bool, Fault> {
+        known(self.solve(&SolveRequest::new(9.81, START, 1e-3).to(&[1.0])))
+    }
+
     /// Sends `question` and lets `read` read the answer.
     fn ask<T>(
         &self,
@@ -176,6 +192,23 @@ impl Program {
     }
 }
 
+/// Where runs begin that are asked for before anything is measured.
+const START: Phase = Phase::at_rest(1.0);
+
+/// So many steps, of which the last state is asked for.
+fn steps(count: u64) -> Request {
+    Request::new(9.81, START, 0.01, count).every(count)
+}
+
+/// Whether the word of a question is known that was answered so.
+fn known(reply: Result<Reply, Fault>) -> Result<bool, Fault> {
+    match reply {
+        Err(Fault::Unsupported) => Ok(false),
+        Err(fault @ Fault::Broken(_)) => Err(fault),
+        _ => Ok(true),
+    }
+}
+
 /// The rows that a question asks for.
 #[derive(Clone, Copy, Debug)]
 enum Asked {
@@ -225,12 +258,10 @@ impl Stranger for Program {
     /// As many steps as take a quarter of the patience, by requests that become longer until one
     /// takes a twentieth of it. The first may have to compile.
     fn longest_run(&self) -> u64 {
-        let start = Phase { theta: 1.0, omega: 0.0 };
-        let timed = |steps: u64| {
-            let request = Request::new(9.81, start, 0.01, steps).every(steps);
+        let timed = |count: u64| {
             let begun = Instant::now();
             // Whatever is wrong with the answer shows when the judge asks.
-            let answered = self.answer(&request).is_ok();
+            let answered = self.answer(&steps(count)).is_ok();
             (answered, begun.elapsed().as_secs_f64())
         };
         let patience = self.patience.as_secs_f64();

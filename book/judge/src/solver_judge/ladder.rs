@@ -111,7 +111,8 @@ impl Ladder {
             }
             let took = begun.elapsed();
             // By what it grew, or by the most that half a decade may cost.
-            let growth = (took.as_secs_f64() / last.as_secs_f64().max(1e-3)).clamp(1.0, 3.2);
+            let last_took = if k == 0 { took } else { last };
+            let growth = (took.as_secs_f64() / last_took.as_secs_f64().max(1e-3)).clamp(1.0, 3.2);
             last = took;
             let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
             let enough = evaluations.is_some_and(|n| n > ENOUGH) && k >= FEWEST;
@@ -232,4 +233,53 @@ fn rung(asked: Asked<'_>, tolerance: f64) -> Measured<Rung> {
         rung.evaluations = rung.evaluations.zip(reply.evaluations).map(|(a, b)| a + b);
     }
     Ok(Rung { rounding: asked.scenes.rounding(rung.a_run()), ..rung })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread;
+
+    use pendula::methods::Dop853;
+
+    use super::*;
+    use crate::{ByTolerance, Claims, Fault, Reply, SolveRequest, Solver, Verdict, judge_solver};
+
+    /// A right solver that takes so long for an answer, and for each of its states.
+    struct Slow {
+        patience: Duration,
+        answer: Duration,
+        state: Duration,
+    }
+
+    impl Solver for Slow {
+        fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+            thread::sleep(self.answer + self.state * request.times.len() as u32);
+            ByTolerance::new(Dop853).solve(request)
+        }
+
+        fn patience(&self) -> Duration {
+            self.patience
+        }
+    }
+
+    /// Catches: a solver too slow for its patience held for a wrong one, or asked on; one that has
+    /// time enough not asked for more than a rung; so many outputs asked for that it is late.
+    #[test]
+    fn a_slow_solver_is_asked_for_what_it_has_time_for() {
+        let judged = |patience, answer, state| {
+            let [patience, answer] = [patience, answer].map(Duration::from_millis);
+            let slow = Slow { patience, answer, state: Duration::from_micros(state) };
+            judge_solver(&slow, Claims::order(8))
+        };
+        let report = judged(40, 11, 0);
+        assert_eq!(report.evidence.tolerances.len(), 1, "{report}");
+        assert_eq!(report.verdict, Verdict::NotMeasured, "{report}");
+        assert_eq!(report.failures().next(), None, "{report}");
+        let told = &report.finding("tolerance").unwrap().why;
+        assert_eq!(told, "smaller tolerances than 1e-3 take too long");
+        let report = judged(1000, 1, 10);
+        assert_eq!(report.evidence.tolerances.len(), RUNGS as usize, "{report}");
+        let many = &report.finding("many").unwrap().measured;
+        assert!(many.starts_with("10000 outputs, off by "), "{many}");
+    }
 }

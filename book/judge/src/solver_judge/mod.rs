@@ -50,7 +50,8 @@ pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, F
     if solver.solve(&extremes::first()) == Err(Fault::Unsupported) {
         return Err(Fault::Unsupported);
     }
-    judge_in(solver, &claims, Scenes::USUAL)
+    let report = judge_in(solver, &claims, Scenes::USUAL)?;
+    Ok(report.without_word("pendulum", claims.of_steps()))
 }
 
 /// Judges `solver` in other scenes, as tests do.

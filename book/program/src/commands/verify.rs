@@ -9,7 +9,7 @@ use std::time::Duration;
 use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula_judge::formats::{self, Judged};
-use pendula_judge::{Claims, Fault, Program, Verdict, try_judge};
+use pendula_judge::{Claims, Fault, Program, Report, Verdict, try_judge, try_judge_solver};
 
 use super::number::number;
 use super::output::Destination;
@@ -21,11 +21,13 @@ use pendula_output::interrupt;
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The claims, separated by spaces: order=P, symplectic, symmetric, evaluations=N (per step),
-    /// bounded-energy, name=METHOD
+    /// The claims, separated by spaces: order=P; of equal steps, symplectic, symmetric,
+    /// evaluations=N (per step), bounded-energy, name=METHOD; of a solver with a tolerance,
+    /// estimate=Q, free-outputs, crossings
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
-    /// How long to wait for each answer (s); the limit for all answers is 120 times as long
+    /// How long to wait for each answer (s); the limit for all answers is 120 times as long, for
+    /// equal steps and for a solver each
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number)]
     patience: f64,
     /// How the report is printed
@@ -41,7 +43,8 @@ pub struct Arguments {
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     #[arg(conflicts_with_all = ["claims", "patience", "format", "lenient", "report", "program"])]
     example: Option<Language>,
-    /// The program to be judged, and its arguments
+    /// The program to be judged, and its arguments. It may know pendulum, solve, or both; if both,
+    /// it is started once for each
     #[arg(last = true, required_unless_present = "example", value_name = "PROGRAM")]
     program: Vec<OsString>,
 }
@@ -116,11 +119,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);
-    let started = Program::start_until(&arguments.program, patience, interrupt::flag());
-    let judged = started.and_then(|program| {
-        let report = try_judge(&program, arguments.claims.clone()).map_err(why)?;
-        Ok((report, program.name().to_string()))
-    });
+    let start = || Program::start_until(&arguments.program, patience, interrupt::flag());
+    let judged = judged(start, &arguments.claims);
     // Here the program has been ended, which an interruption does not reach by itself.
     if interrupt::flag().load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));
@@ -140,6 +140,28 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     }
     let printed = print(arguments, &judged, out);
     answer(report.verdict, arguments.lenient, printed)
+}
+
+/// The report on the program that `start` starts, and the name that it gives itself.
+fn judged(
+    start: impl Fn() -> Result<Program, String>,
+    claims: &Claims,
+) -> Result<(Report, String), String> {
+    let program = start()?;
+    let name = program.name().to_string();
+    let known = [program.knows_pendulum().map_err(why)?, program.knows_solve().map_err(why)?];
+    let report = match known {
+        [false, true] => try_judge_solver(&program, claims.clone()),
+        _ => try_judge(&program, claims.clone()),
+    };
+    let report = report.map_err(why)?;
+    if known != [true, true] {
+        return Ok((report, name));
+    }
+    // Again, with as much time: the first may have been ended by numbers that overflow.
+    drop(program);
+    let solver = try_judge_solver(&start()?, claims.clone()).map_err(why)?;
+    Ok((report.joined_with_solver(solver), name))
 }
 
 /// The answer to a verdict, whose report has been printed so.

@@ -4,7 +4,7 @@ use pendula::Phase;
 use pendula_charts::{Axis, Chart, Figure, Style};
 use pendula_judge::formats::Judged;
 use pendula_judge::printable::escaped;
-use pendula_judge::{Claims, Evidence, Finding, Report, Verdict, scientific};
+use pendula_judge::{Claims, Finding, Report, Verdict, scientific};
 
 use pendula_output::page::{Page, with_code};
 
@@ -77,7 +77,7 @@ fn row(finding: &Finding) -> String {
 }
 
 fn drawings(report: &Report, claims: &Claims) -> String {
-    let drawn = figures(&report.evidence, claims).concat();
+    let drawn = figures(report, claims).concat();
     if drawn.is_empty() {
         return drawn;
     }
@@ -91,13 +91,17 @@ fn drawings(report: &Report, claims: &Claims) -> String {
 }
 
 /// The figures there is evidence for: what the judge has measured, drawn as the book draws.
-fn figures(evidence: &Evidence, claims: &Claims) -> Vec<String> {
+fn figures(report: &Report, claims: &Claims) -> Vec<String> {
+    let evidence = &report.evidence;
     let figures = [
         force(&evidence.force),
         ladder(&evidence.ladder, claims.order),
         energy(&evidence.energy),
         evidence.square.as_ref().and_then(square),
         evidence.way.as_ref().and_then(|(out, back)| way(out, back)),
+        tolerances(&evidence.tolerances),
+        evaluations(&evidence.tolerances, Power::of(report, claims)),
+        outputs(&evidence.outputs),
     ];
     figures.into_iter().flatten().collect()
 }
@@ -220,6 +224,81 @@ fn way(out: &[Phase], back: &[Phase]) -> Option<String> {
     Some(drawn("way", "The way out and the way back", &caption, chart))
 }
 
+/// Tolerance, largest error (rad), and evaluations if they are counted.
+type Tolerance = (f64, f64, Option<u64>);
+
+/// Error against tolerance, of a solver.
+fn tolerances(tolerances: &[Tolerance]) -> Option<String> {
+    let errors = tolerances.iter().map(|&(tolerance, error, _)| (tolerance, error));
+    let itself = tolerances.iter().map(|&(tolerance, ..)| (tolerance, tolerance));
+    let chart = Chart::new(Axis::log("tolerance"), Axis::log("largest error (rad)"))
+        .series("the tolerance itself", Style::REFERENCE, itself)
+        .series("measured", MEASURED, errors);
+    let caption = "Largest error at the end of three runs against the tolerance, both axes \
+                   logarithmic. An error of a step is held to the tolerance; those of all steps \
+                   add up, and grow with the motion.";
+    (!tolerances.is_empty()).then(|| drawn("tolerance", "Error against tolerance", caption, chart))
+}
+
+/// The power of the step with which an estimate falls.
+enum Power {
+    Claimed(u32),
+    Found(f64),
+}
+
+impl Power {
+    /// That which is claimed or, if none is, found.
+    fn of(report: &Report, claims: &Claims) -> Option<Self> {
+        let found = || report.finding("estimate")?.values.first().copied();
+        claims.estimate.map(Self::Claimed).or_else(|| found().map(Self::Found))
+    }
+}
+
+/// Evaluations against tolerance, of a solver, with the slope of its estimate.
+fn evaluations(tolerances: &[Tolerance], power: Option<Power>) -> Option<String> {
+    let counted = tolerances.iter().filter_map(|&(tolerance, _, evaluations)| {
+        evaluations.filter(|counted| *counted > 0).map(|counted| (tolerance, counted as f64))
+    });
+    let counted: Vec<(f64, f64)> = counted.collect();
+    let (first, last) = (*counted.first()?, *counted.last()?);
+    let mut chart = Chart::new(Axis::log("tolerance"), Axis::log("evaluations")).series(
+        "counted",
+        MEASURED,
+        counted.iter().copied(),
+    );
+    let told = power.map(|power| match power {
+        Power::Claimed(power) => (f64::from(power), power.to_string(), "claimed"),
+        Power::Found(power) => (power, format!("{power:.1}"), "found"),
+    });
+    let mut slope = String::new();
+    if let Some((power, digits, how)) = told {
+        // Long steps tell no power: from the smallest tolerance.
+        chart = chart.slope(-1.0 / power, last, first.0, format!("slope −1/{digits}, {how}"));
+        slope = format!("; the dotted line grows with the power q = {digits} that is {how}");
+    }
+    let caption = format!(
+        "Force evaluations of three runs against the tolerance, both axes logarithmic. With an \
+         estimate that falls with the power q of the step they grow as tol^(−1/q){slope}."
+    );
+    Some(drawn("evaluations", "Evaluations against tolerance", &caption, chart))
+}
+
+/// Error along a run, of a solver, at times between its steps.
+fn outputs(outputs: &[(f64, f64)]) -> Option<String> {
+    let some = outputs.iter().any(|(_, error)| *error > 0.0 && error.is_finite());
+    let chart = Chart::new(Axis::linear("t (s)"), Axis::log("error (rad)")).height(240.0).series(
+        "",
+        MEASURED.line_only().solid(),
+        outputs.iter().copied(),
+    );
+    let caption = format!(
+        "Error of {} states along a run, most of them between two steps. Where the line rises and \
+         falls from step to step, states between steps are worse than those at their ends.",
+        outputs.len()
+    );
+    some.then(|| drawn("outputs", "Error along a run", &caption, chart))
+}
+
 /// Axes for states.
 fn plane() -> Chart {
     Chart::new(Axis::linear("θ (rad)"), Axis::linear("ω (rad/s)"))
@@ -237,15 +316,16 @@ mod tests {
     /// another order, slopes in the order of the list.
     #[test]
     fn what_there_is_evidence_for_is_drawn() {
-        assert!(figures(&Evidence::default(), &Claims::order(2)).is_empty());
+        assert!(figures(&Report::default(), &Claims::order(2).estimate(5)).is_empty());
         let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| state(x, y));
-        let mut evidence = Evidence::default();
+        let mut report = Report::default();
+        let evidence = &mut report.evidence;
         evidence.ladder = vec![(0.1, 1e-2), (0.025, 6.25e-4), (0.05, 2.5e-3), (0.0125, 0.0)];
         evidence.energy = vec![(0.0, 0.0), (1.0, 1e-3)];
         evidence.force = vec![(-1.0, 1.0), (2.0, -2.0)];
         evidence.square = Some((square, square.map(|z| state(z.theta + z.omega, 1.5 * z.omega))));
         evidence.way = Some((vec![state(1.0, 0.0), state(0.9, -1.0)], vec![state(1.0, 1e-3)]));
-        let figures = figures(&evidence, &Claims::order(2));
+        let figures = figures(&report, &Claims::order(2));
         let [force, ladder, energy, square, way] = &figures[..] else { panic!("{figures:?}") };
         let has = |text: &str, part: &str| {
             assert!(text.contains(part), "{part} is not in {text}");
@@ -262,11 +342,47 @@ mod tests {
     /// Catches: a panic where the evidence is a single point or none that has a place.
     #[test]
     fn poor_evidence_is_drawn_as_well_as_it_can_be() {
-        let mut evidence = Evidence::default();
+        let mut report = Report::default();
+        let evidence = &mut report.evidence;
         evidence.ladder = vec![(0.1, f64::NAN)];
         evidence.energy = vec![(0.0, f64::INFINITY)];
         evidence.way = Some((vec![state(f64::NAN, 0.0)], vec![]));
-        assert_eq!(figures(&evidence, &Claims::none()).len(), 2);
-        assert_eq!(figures(&evidence, &Claims::order(4)).len(), 2);
+        evidence.tolerances = vec![(1e-3, f64::INFINITY, Some(0)), (1e-4, f64::NAN, None)];
+        evidence.outputs = vec![(0.0, 0.0), (1.0, f64::INFINITY)];
+        assert_eq!(figures(&report, &Claims::none()).len(), 3);
+        assert_eq!(figures(&report, &Claims::order(4).estimate(u32::MAX)).len(), 3);
+        report.evidence.tolerances = vec![(1e-3, 1e-3, Some(1))];
+        assert_eq!(figures(&report, &Claims::order(4).estimate(0)).len(), 4);
+    }
+
+    /// Catches: a figure of a solver that is left out, or is drawn of what is not counted; the
+    /// slope of another power than that which is claimed, or was found where none is; a slope that
+    /// rises.
+    #[test]
+    fn what_a_solver_does_is_drawn() {
+        let mut report = Report::default();
+        report.evidence.tolerances =
+            vec![(1e-3, 1e-2, Some(32)), (1e-5, 1e-4, Some(320)), (1e-7, 0.0, None)];
+        report.evidence.outputs = vec![(0.0, 0.0), (1.0, 1e-3), (2.0, 1e-4)];
+        let mut estimate = Finding::default();
+        (estimate.name, estimate.values) = ("estimate", vec![2.04]);
+        report.findings = vec![estimate];
+        for (claims, slope) in [
+            (Claims::none(), "slope −1/2.0, found"),
+            (Claims::order(2).estimate(3), "slope −1/3, claimed"),
+        ] {
+            let figures = figures(&report, &claims);
+            let [tolerance, evaluations, outputs] = &figures[..] else { panic!("{figures:?}") };
+            assert!(tolerance.contains("id=\"fig-tolerance\""), "{tolerance}");
+            assert!(tolerance.contains("the tolerance itself"), "{tolerance}");
+            assert!(evaluations.contains("id=\"fig-evaluations\""), "{evaluations}");
+            assert!(evaluations.contains(slope), "{evaluations}");
+            assert!(outputs.contains("id=\"fig-outputs\""), "{outputs}");
+            assert!(outputs.contains("Error of 3 states along a run"), "{outputs}");
+        }
+        report.findings.clear();
+        assert!(!figures(&report, &Claims::none())[1].contains("slope"));
+        report.evidence.tolerances = vec![(1e-3, 1e-2, None), (1e-5, 1e-4, None)];
+        assert_eq!(figures(&report, &Claims::none()).len(), 2);
     }
 }

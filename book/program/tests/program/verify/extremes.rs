@@ -2,18 +2,19 @@
 //! line, and a page that can be drawn.
 
 use pendula_judge::formats::{self, Judged};
-use pendula_judge::{Claims, FromFn, Report, Stranger, try_judge};
+use pendula_judge::{
+    Claims, FromFn, Report, SolveFn, Solver, Stranger, try_judge, try_judge_solver,
+};
 use pendula_program::verify::page;
 use rstest::rstest;
 
 use super::{assert_valid, judged};
 use crate::{PENDULA, assert_refused};
 
-/// The report on `stranger` in each form.
+/// Fails unless the report is written in each form.
 #[track_caller]
-fn assert_written(stranger: &dyn Stranger, claims: &Claims) -> Report {
-    let report = try_judge(stranger, claims.clone()).expect("it keeps the protocol");
-    let judged = Judged { command: "x", name: "", claims, report: &report };
+fn assert_written(report: &Report, claims: &Claims) {
+    let judged = Judged { command: "x", name: "", claims, report };
     assert_valid(&formats::json(&judged));
     let (junit, markdown) = (formats::junit(&judged, true), formats::markdown(&judged));
     let html = page::html(&judged);
@@ -29,7 +30,6 @@ fn assert_written(stranger: &dyn Stranger, claims: &Claims) -> Report {
         let infinite: Vec<&str> = attributes.filter(|value| value.contains("inf")).collect();
         assert!(infinite.is_empty(), "{infinite:?}");
     }
-    report
 }
 
 /// A stranger whose state after step k from (θ, ω) is that.
@@ -57,7 +57,35 @@ fn a_report_is_written_whatever_is_measured(#[case] stranger: Box<dyn Stranger>)
     let orders = [0, 1, 99_999, u32::MAX].map(Claims::order);
     let more = [Claims::none(), all().evaluations(0), all().evaluations(u64::MAX).name("\0")];
     for claims in orders.iter().chain(&more) {
-        assert_written(&*stranger, claims);
+        let report = try_judge(&*stranger, claims.clone()).expect("it keeps the protocol");
+        assert_written(&report, claims);
+    }
+}
+
+/// A solver whose state at each time is that, and which counts so many evaluations.
+fn solver(state: fn(f64, f64, f64) -> (f64, f64), counted: u64) -> Box<dyn Solver> {
+    Box::new(SolveFn(
+        move |_: f64, theta: f64, omega: f64, _: f64, tolerance: f64, times: &[f64]| {
+            (vec![state(theta, omega, tolerance); times.len()], counted)
+        },
+    ))
+}
+
+/// Catches: a page whose axes have no end or no span, a slope without a number, NaN in words.
+#[rstest]
+#[case::at_rest(solver(|theta, omega, _| (theta, omega), 1))]
+#[case::huge(solver(|_, _, _| (f64::MAX, -f64::MAX), u64::MAX / 3))]
+#[case::far(solver(|theta, omega, tolerance| (theta * 1e300, omega / tolerance), 0))]
+#[case::subnormal(solver(|_, _, _| (5e-324, -5e-324), 1000))]
+#[case::nothing(solver(|_, _, _| (0.0, -0.0), 0))]
+#[case::nan(solver(|_, _, _| (f64::NAN, 0.0), 7))]
+#[case::infinite(solver(|_, _, _| (0.0, f64::INFINITY), 7))]
+fn a_report_on_a_solver_is_written_whatever_is_measured(#[case] solver: Box<dyn Solver>) {
+    let all = || Claims::order(5).estimate(5).free_outputs().crossings();
+    let orders = [0, 1, 99_999, u32::MAX].map(|order| Claims::order(order).estimate(order));
+    for claims in orders.iter().chain(&[Claims::none(), all(), all().symplectic()]) {
+        let report = try_judge_solver(&*solver, claims.clone()).expect("it solves");
+        assert_written(&report, claims);
     }
 }
 
@@ -68,8 +96,8 @@ fn script(state: &str) -> [String; 3] {
         "read -r line; echo hello 1; while read -r kind g a w h n k; do \
            case $kind in \
              pendulum) yes '{state}' | head -n $((n / k)); echo done 18446744073709551615;; \
-             driven) echo unsupported;; \
-             *) exit;; \
+             bye) exit;; \
+             *) echo unsupported;; \
            esac; \
          done"
     );

@@ -20,7 +20,7 @@ use super::{judged, request, started};
 use crate::{PENDULA, printed, words};
 
 /// Whether there is such a tool; says so if there is none.
-fn there_is(tool: &str) -> bool {
+pub fn there_is(tool: &str) -> bool {
     let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
     if !there {
         println!("{tool} is not here: what needs it is not run");

@@ -5,6 +5,7 @@ mod extremes;
 mod faults;
 mod languages;
 mod reports;
+mod solvers;
 
 use std::ffi::OsString;
 use std::time::Duration;
