@@ -52,6 +52,11 @@ impl Claims {
         *self == Self::default()
     }
 
+    /// A claim that everybody makes who makes any.
+    pub(crate) fn implied(&self) -> Option<String> {
+        (!self.are_none()).then(|| "implied".to_string())
+    }
+
     /// That the error of the state falls with the power `order` of the step.
     pub fn order(order: u32) -> Self {
         Self { order: Some(order), ..Self::default() }

@@ -202,11 +202,6 @@ impl Judge<'_> {
         Ok((found, shown))
     }
 
-    /// A claim that everybody makes who makes any.
-    fn implied(&self) -> Option<String> {
-        (!self.claims.are_none()).then(|| "implied".to_string())
-    }
-
     /// Takes the properties one after the other.
     fn take_all(&mut self) -> Measured<()> {
         let claims = self.claims;
@@ -234,7 +229,8 @@ impl Judge<'_> {
         let found = core::mem::replace(&mut self.looked, Ok(None));
         let told = equation::Told::new(&found, self.report.departure.take(), self.name.one());
         self.looked = found;
-        let claimed = |found: &Measured<Finding>| found.as_ref().ok().and_then(|_| self.implied());
+        let claimed =
+            |found: &Measured<Finding>| found.as_ref().ok().and_then(|_| self.claims.implied());
         let [of_equation, of_output] = [claimed(&told.equation), claimed(&told.output)];
         self.note("equation", of_equation, told.equation, Finding::clone)?;
         self.note("output", of_output, told.output, Finding::clone)?;
@@ -321,12 +317,12 @@ impl Judge<'_> {
     /// What everybody claims, and the evaluations.
     fn symmetries(&mut self) -> Measured<()> {
         let apart = symmetry::mirror(&self.probe);
-        self.note("mirror", self.implied(), apart, |apart| apart.judge(false))?;
+        self.note("mirror", self.claims.implied(), apart, |apart| apart.judge(false))?;
         let apart = symmetry::units(&self.probe);
-        self.note("units", self.implied(), apart, |apart| apart.judge(true))?;
+        self.note("units", self.claims.implied(), apart, |apart| apart.judge(true))?;
         let wrapped = self.report.departure.clone().filter(|found| found.kind == Kind::Wrapped);
         let apart = symmetry::turn(&self.probe);
-        self.note("turn", self.implied(), apart, |apart| match &wrapped {
+        self.note("turn", self.claims.implied(), apart, |apart| match &wrapped {
             Some(departure) => Finding {
                 measured: departure.sentence.clone(),
                 why: equation::NOT_THE_METHOD.to_string(),
@@ -335,7 +331,7 @@ impl Judge<'_> {
             None => apart.judge(true),
         })?;
         let clock = replies::clock(&self.probe);
-        self.note("clock", self.implied(), clock, replies::Clock::judge)?;
+        self.note("clock", self.claims.implied(), clock, replies::Clock::judge)?;
         let claimed = self.claims.evaluations;
         let text = claimed.map(|a_step| format!("{a_step} a step"));
         let counted = replies::counted(&self.probe);
@@ -343,10 +339,12 @@ impl Judge<'_> {
             replies::judge_evaluations(counted, claimed)
         })?;
         let other = replies::other_answers(&self.probe);
-        self.note("repeatable", self.implied(), other, |&other| replies::judge_repeatable(other))?;
+        self.note("repeatable", self.claims.implied(), other, |&other| {
+            replies::judge_repeatable(other)
+        })?;
         let rounding = self.probe.measured_rounding.clone();
         let cut_off = self.cut_off.take();
-        self.note("precision", self.implied(), rounding, |&rounding| {
+        self.note("precision", self.claims.implied(), rounding, |&rounding| {
             replies::judge_precision(rounding, cut_off.as_ref())
         })?;
         self.report.departure = self.report.departure.take().or(cut_off);
@@ -374,7 +372,7 @@ impl Judge<'_> {
             claims.symplectic || is(shown.area),
         );
         let judged = claims.symplectic || claims.symmetric || listed.is_some();
-        let claimed = if judged { self.implied() } else { None };
+        let claimed = if judged { self.claims.implied() } else { None };
         let loss = loss.unwrap_or_else(|| {
             Err(Trouble::NoAnswer("it has nothing that would not lose".to_string()))
         });
@@ -456,7 +454,7 @@ impl Judge<'_> {
         // A program need not know how to drive a pendulum.
         let claimed = match driven {
             Err(Trouble::NoAnswer(_)) => None,
-            _ => self.implied(),
+            _ => self.claims.implied(),
         };
         self.note("stage-times", claimed, driven, |driven| {
             stage_times::judge(driven, order.unwrap_or_default())

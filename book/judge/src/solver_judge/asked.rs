@@ -133,6 +133,16 @@ pub fn apart(g_over_l: f64, a: Phase, b: Phase) -> f64 {
     libm::fmaximum((a.theta - b.theta).abs(), along)
 }
 
+/// A request of no meaning other than to see whether it is understood.
+pub fn first() -> SolveRequest {
+    Scenes::USUAL.run(Scenes::USUAL.starts[0], 1e-3).to(&[0.1])
+}
+
+/// The largest of these errors, NaN if one is.
+pub fn largest_of(errors: impl IntoIterator<Item = f64>) -> f64 {
+    errors.into_iter().fold(0.0, libm::fmaximum)
+}
+
 /// `count` times (s), evenly spaced, the last of them at `end`.
 pub fn evenly(count: u32, end: f64) -> Vec<f64> {
     (1..=count)

@@ -160,7 +160,7 @@ impl Passages {
         self.every_second
     }
 
-    pub fn judge(&self) -> Finding {
+    pub fn finding(&self) -> Finding {
         let Self { wrong, ratio, .. } = self;
         let verdict = match wrong.is_empty() {
             true => Verdict::of(*ratio, 1.0, 3.0),

@@ -3,8 +3,9 @@
 
 use std::time::{Duration, Instant};
 
-use super::asked::{self, Asked, Power, Scenes, USUAL, power};
+use super::asked::{self, Asked, Power, Scenes, USUAL, largest_of, power};
 use crate::judge::verdict::{Measured, Trouble};
+use crate::solver::SolveRequest;
 use pendula::systems::Phase;
 
 /// Runs at each tolerance.
@@ -28,7 +29,7 @@ pub struct Rung {
 impl Rung {
     /// The largest error (rad).
     pub fn largest(&self) -> f64 {
-        self.errors.into_iter().fold(0.0, libm::fmaximum)
+        largest_of(self.errors)
     }
 
     /// The geometric mean of the errors (rad): one of them may vanish by chance.
@@ -161,6 +162,11 @@ impl Ladder {
     pub fn usual(&self) -> f64 {
         let reached = self.quick().map(|rung| rung.tolerance).filter(|it| *it > 0.9 * USUAL);
         reached.fold(1e-3, f64::min)
+    }
+
+    /// Such a run, from `start`.
+    pub fn run(&self, start: Phase) -> SolveRequest {
+        self.scenes.run(start, self.usual())
     }
 
     /// What the error of such a run may be (rad); no answer where that is as large as the motion.

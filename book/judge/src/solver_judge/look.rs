@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use super::Found;
 use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
-use super::outputs::{Outputs, as_of, in_words, rounded};
+use super::outputs::{in_words, rounded};
 use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
 use pendula::Phase;
@@ -60,7 +60,7 @@ const CAUSES: &[Known] = &[
                         compared with it is too coarse.";
         Some((sentence.to_string(), END))
     }),
-    ("output", |found| found.outputs.as_ref().map(between_steps)),
+    ("output", |found| found.outputs.as_ref().map(|outputs| (outputs.cause(), OUTPUT))),
     ("tolerance", |found| found.ladder.floor().map(no_further)),
     ("tolerance", |found| Some(uneven(&found.ladder))),
     ("order", |found| {
@@ -107,19 +107,6 @@ const CAUSES: &[Known] = &[
     ("driven", |_| Some(("The stages do not know the time.".to_string(), &[]))),
     ("repeatable", |_| Some(("Something is kept from one request to the next.".to_string(), &[]))),
 ];
-
-/// Outputs that are worse than steps.
-fn between_steps(outputs: &Outputs) -> Cause {
-    let what = match outputs.power() {
-        Some(power) => format!("their error falls with {}", as_of(power)),
-        None => "look at how they are interpolated".to_string(),
-    };
-    let sentence = match outputs.interpolates_the_end() {
-        true => format!("The end of a run is interpolated, like all outputs: {what}."),
-        false => format!("Outputs between steps are worse than the steps: {what}."),
-    };
-    (sentence, OUTPUT)
-}
 
 /// An error that falls no more.
 fn no_further(floor: Floor) -> Cause {

@@ -2,10 +2,12 @@
 
 mod asked;
 mod crossings;
-mod extremes;
+mod driven;
 mod ladder;
 mod look;
 mod outputs;
+mod refusal;
+mod rows;
 mod same;
 mod steps;
 
@@ -13,7 +15,7 @@ mod steps;
 pub(crate) use asked::errors;
 use asked::{Asked, Scenes};
 use ladder::Ladder;
-use outputs::{Asking, Many, Outputs, Rows};
+use outputs::Outputs;
 
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::Solver;
@@ -47,7 +49,7 @@ pub fn judge_solver(solver: &dyn Solver, claims: Claims) -> Report {
 /// [`Fault::Unsupported`] of one that does not solve; [`Fault::Broken`] says what it did, if it
 /// broke the protocol.
 pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, Fault> {
-    if solver.solve(&extremes::first()) == Err(Fault::Unsupported) {
+    if solver.solve(&asked::first()) == Err(Fault::Unsupported) {
         return Err(Fault::Unsupported);
     }
     let report = judge_in(solver, &claims, Scenes::USUAL)?;
@@ -79,7 +81,7 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
         Err(trouble) => {
             judge.report.findings.push(Finding {
                 name: "tolerance",
-                claimed: judge.implied(),
+                claimed: claims.implied(),
                 ..Finding::from(trouble)
             });
             judge.report.description = "not known, as it does not solve".to_string();
@@ -101,26 +103,17 @@ struct Judge<'c> {
 }
 
 impl Judge<'_> {
-    /// A claim that everybody makes who makes any.
-    fn implied(&self) -> Option<String> {
-        (!self.claims.are_none()).then(|| "implied".to_string())
-    }
-
-    /// Notes what was found of the property `name`. Only a broken protocol ends it all.
-    fn note<T>(
+    /// Notes what was found of the property `name`. What nobody claims is said and not judged; only
+    /// a broken protocol ends it all.
+    fn note(
         &mut self,
         name: &'static str,
         claimed: Option<String>,
-        found: Measured<T>,
-        judge: impl FnOnce(&T) -> Finding,
-    ) -> Measured<Option<T>> {
-        let (found, told) = match found {
-            Ok(found) => {
-                let told = judge(&found);
-                (Some(found), told)
-            }
+        found: Measured<Finding>,
+    ) -> Measured<()> {
+        let told = match found {
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            Err(trouble) => (None, Finding::from(trouble)),
+            found => found.unwrap_or_else(Finding::from),
         };
         let verdict = match told.verdict {
             Verdict::NotMeasured => Verdict::NotMeasured,
@@ -128,67 +121,50 @@ impl Judge<'_> {
             verdict => verdict,
         };
         self.report.findings.push(Finding { name, claimed, verdict, ..told });
-        Ok(found)
+        Ok(())
     }
 
     /// Takes the properties one after the other; what may end a program comes last.
     fn take_all(&mut self, asked: Asked<'_>, ladder: Ladder) -> Measured<Found> {
         let claims = self.claims;
-        let implied = self.implied();
-        let claim = |value: Option<u32>| value.map(|value| value.to_string());
-        self.note("tolerance", implied.clone(), Ok(()), |()| steps::tolerance(&ladder))?;
-        // Nobody has to count.
-        let counted = implied.clone().filter(|_| steps::counted(&ladder).is_ok());
-        let estimate = claim(claims.estimate).or(counted);
-        self.note("estimate", estimate, steps::counted(&ladder), |()| {
-            steps::estimate(&ladder, claims.estimate)
-        })?;
-        self.note("order", claim(claims.order), steps::counted(&ladder), |()| {
-            steps::order(&ladder, claims.order)
-        })?;
-        self.note("precision", implied.clone(), Ok(()), |()| steps::precision(&ladder))?;
-        let outputs = Outputs::of(asked, &ladder);
-        let outputs = self.note("output", implied.clone(), outputs, Outputs::judge)?;
-        let free = claims.free_outputs.then(|| "free".to_string()).or_else(|| implied.clone());
-        let asking = Asking::of(asked, &ladder);
-        self.note("free-outputs", free, asking, |asking| asking.judge(claims.free_outputs))?;
-        self.note("rows", implied.clone(), Rows::of(asked, &ladder), Rows::judge)?;
-        let crossings = crossings::Passages::of(asked, &ladder);
-        // A solver need not find them.
-        let claimed = match (&crossings, claims.crossings) {
-            (_, true) => Some("crossings".to_string()),
-            (Err(Trouble::NoAnswer(_)), false) => None,
-            _ => implied.clone(),
+        let implied = || self.claims.implied();
+        // What a solver need not have: claimed by implication where it has it.
+        let if_had = |found: &Measured<Finding>| {
+            implied().filter(|_| !matches!(found, Err(Trouble::NoAnswer(_))))
         };
-        let passages = self.note("crossings", claimed, crossings, crossings::Passages::judge)?;
-        let of = [
-            ("back", same::back(asked, &ladder), "backwards"),
-            ("start", same::start(asked, &ladder), "from t₀ = ±10⁶ s on"),
-            ("units", same::units(asked, &ladder), "with time a thousand times as fast, or slow"),
-            ("mirror", same::mirror(asked, &ladder), "from the mirrored run"),
-            ("turn", same::turn(asked, &ladder), "from ten turns on"),
-        ];
-        for (name, off, what) in of {
-            self.note(name, implied.clone(), off, |off| off.judge(what))?;
-        }
-        let other = same::other_answers(asked, &ladder);
-        self.note("repeatable", implied.clone(), other, |other| same::judge_repeatable(*other))?;
-        let driven = extremes::DrivenRuns::of(asked, &ladder);
-        let claimed = implied.clone().filter(|_| !matches!(driven, Err(Trouble::NoAnswer(_))));
-        self.note("driven", claimed, driven, extremes::DrivenRuns::judge)?;
-        self.note("many", implied.clone(), Many::of(asked, &ladder), Many::judge)?;
-        self.note("effort", None, steps::counted(&ladder), |()| steps::effort(&ladder))?;
-        let refusal = extremes::Refusal::of(asked);
-        self.note("refusal", implied, Ok(refusal), extremes::Refusal::judge)?;
-        let only_one_way = passages.is_some_and(|passages| passages.only_one_way());
-        self.report.evidence.tolerances = ladder
-            .rungs
-            .iter()
-            .map(|rung| (rung.tolerance, rung.largest(), rung.evaluations))
-            .collect();
-        if let Some(outputs) = &outputs {
-            self.report.evidence.outputs.clone_from(&outputs.run);
-        }
+        let power = |claim: Option<u32>| claim.map(|power| power.to_string());
+        self.note("tolerance", implied(), Ok(steps::tolerance(&ladder)))?;
+        let estimate = steps::estimate(&ladder, claims.estimate);
+        self.note("estimate", power(claims.estimate).or(if_had(&estimate)), estimate)?;
+        self.note("order", power(claims.order), steps::order(&ladder, claims.order))?;
+        self.note("precision", implied(), Ok(steps::precision(&ladder)))?;
+        let outputs = Outputs::of(asked, &ladder);
+        let found = outputs.as_ref().map(Outputs::finding).map_err(Trouble::clone);
+        self.note("output", implied(), found)?;
+        let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
+        self.note("free-outputs", free, rows::free(asked, &ladder, claims.free_outputs))?;
+        self.note("rows", implied(), rows::all(asked, &ladder))?;
+        let passages = crossings::Passages::of(asked, &ladder);
+        let found = passages.as_ref().map(crossings::Passages::finding).map_err(Trouble::clone);
+        let claimed = claims.crossings.then(|| "crossings".to_string()).or(if_had(&found));
+        self.note("crossings", claimed, found)?;
+        self.note("back", implied(), same::back(asked, &ladder))?;
+        self.note("start", implied(), same::start(asked, &ladder))?;
+        self.note("units", implied(), same::units(asked, &ladder))?;
+        self.note("mirror", implied(), same::mirror(asked, &ladder))?;
+        self.note("turn", implied(), same::turn(asked, &ladder))?;
+        self.note("repeatable", implied(), same::repeatable(asked, &ladder))?;
+        let driven = driven::finding(asked, &ladder);
+        self.note("driven", if_had(&driven), driven)?;
+        self.note("many", implied(), rows::many(asked, &ladder))?;
+        self.note("effort", None, steps::effort(&ladder))?;
+        self.note("refusal", implied(), Ok(refusal::finding(asked)))?;
+        let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
+        self.report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
+        let outputs = outputs.ok();
+        self.report.evidence.outputs =
+            outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
+        let only_one_way = passages.is_ok_and(|passages| passages.only_one_way());
         Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way })
     }
 }

@@ -1,18 +1,17 @@
-//! States between the steps: whether they are as good as the steps, whether asking for them changes
-//! the run, and whether there are as many as were asked for.
+//! States between the steps: whether they are as good as the steps.
 
-use std::time::Instant;
-
-use super::asked::{self, Asked, Power, Scenes, evenly, power};
-use super::ladder::{Ladder, Rung};
+use super::asked::{Asked, Power, evenly, largest_of, power};
+use super::ladder::Ladder;
 use crate::judge::report::{Finding, about, scientific};
-use crate::judge::verdict::{Measured, Trouble, Verdict};
+use crate::judge::verdict::{Measured, Verdict};
 
 /// States asked for in a run.
-const OUTPUTS: u32 = 1000;
+pub const OUTPUTS: u32 = 1000;
 /// In each of so many parts of the run lies the end of a step, unless the steps are longer than
 /// half a second.
 const PARTS: usize = 20;
+/// The tolerances through whose outputs a line is drawn: five decades.
+const LAST: usize = 6;
 /// Runs that end where another has outputs.
 const ENDS: u32 = 10;
 
@@ -37,30 +36,33 @@ pub struct Outputs {
     pub run: Vec<(f64, f64)>,
     /// Whether runs that end between the steps of a longer one are as bad there as its outputs.
     interpolated_end: bool,
+    /// The degree of the polynomials on which outputs lie, where they are worse than steps.
+    degree: Option<usize>,
 }
 
 impl Outputs {
     /// Asks for outputs at every second tolerance of the ladder.
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
+        let start = asked.scenes.starts[0];
         let times = evenly(OUTPUTS, asked.scenes.duration);
-        let mut outputs = Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false };
+        let mut outputs =
+            Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false, degree: None };
         for rung in ladder.quick().step_by(2) {
-            let Rung { tolerance, .. } = rung;
-            let request = asked.scenes.run(asked.scenes.starts[0], *tolerance).to(&times);
+            let request = asked.scenes.run(start, rung.tolerance).to(&times);
             let errors = asked.errors(&request)?;
             let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
             let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
             // The end itself is no state between steps.
             let between = errors.iter().take(OUTPUTS as usize - 1).copied();
-            let largest = between.fold(0.0, libm::fmaximum);
+            let largest = largest_of(between);
             outputs.compared.push(Compared {
-                tolerance: *tolerance,
+                tolerance: rung.tolerance,
                 outputs: largest,
-                steps: steps.fold(0.0, libm::fmaximum),
+                steps: largest_of(steps),
                 rounding: rung.rounding,
                 evaluations: rung.evaluations,
             });
-            if outputs.run.is_empty() || *tolerance >= 0.9 * ladder.usual() {
+            if outputs.run.is_empty() || rung.tolerance >= 0.9 * ladder.usual() {
                 outputs.run = times.iter().copied().zip(errors).collect();
             }
         }
@@ -71,10 +73,11 @@ impl Outputs {
             let mut largest = 0.0;
             for k in 0..ENDS {
                 let end = asked.scenes.duration * (0.5 + 0.043 * f64::from(k));
-                let request = asked.scenes.run(asked.scenes.starts[0], worse.tolerance).to(&[end]);
+                let request = asked.scenes.run(start, worse.tolerance).to(&[end]);
                 largest = libm::fmaximum(largest, asked.errors(&request)?[0]);
             }
             outputs.interpolated_end = largest > 0.2 * worse.outputs;
+            outputs.degree = degree(asked, ladder)?;
         }
         Ok(outputs)
     }
@@ -96,22 +99,31 @@ impl Outputs {
     }
 
     /// The power of the step with which the error of the outputs falls, where it is not that of the
-    /// steps.
+    /// steps; from the last tolerances, as longer steps bend the line.
     pub fn power(&self) -> Option<Power> {
         let points = self.compared.iter().filter_map(|it| {
             let tells = it.outputs > 3.0 * it.steps.max(it.rounding) && it.outputs < 0.1;
             tells.then_some((libm::log(it.evaluations? as f64), -libm::log(it.outputs)))
         });
-        power(&points.collect::<Vec<_>>())
+        let points: Vec<_> = points.collect();
+        power(&points[points.len().saturating_sub(LAST)..])
     }
 
-    /// Whether even the end of a run is interpolated, by less than the steps are worth.
-    pub const fn interpolates_the_end(&self) -> bool {
-        self.interpolated_end
+    /// Why they are worse than the steps.
+    pub fn cause(&self) -> String {
+        let what = match self.interpolated_end {
+            true => "The end of a run is interpolated, like all outputs",
+            false => "Outputs between steps are worse than the steps",
+        };
+        let on = self.degree.map(|degree| format!(": they come from {}", polynomial(degree)));
+        let power =
+            self.power().map(|power| format!("with the power {} of the step", in_words(power)));
+        let falls = power.map(|power| format!("; their error falls {power}"));
+        format!("{what}{}{}.", on.unwrap_or_default(), falls.unwrap_or_default())
     }
 
     /// What is to be said of them.
-    pub fn judge(&self) -> Finding {
+    pub fn finding(&self) -> Finding {
         let Some((ratio, worst)) = self.worst() else {
             return Finding::nothing("no run is accurate enough to tell".to_string());
         };
@@ -158,210 +170,54 @@ pub fn in_words(power: Power) -> String {
     format!("{:.1} ± {:.1}", power.value, libm::fmax(power.uncertainty, 0.1))
 }
 
-/// The power of the step that outputs are good to, and the polynomial of which that is true, where
-/// the power is as good as whole.
-pub fn as_of(power: Power) -> String {
-    let whole = libm::round(power.value);
-    let polynomial = match whole as u32 {
-        2 => ", as those on a straight line",
-        3 => ", as those on a parabola",
-        4 => ", as those on a cubic",
-        5 => ", as those on a quartic",
-        _ => "",
-    };
-    let told = (power.value - whole).abs() + power.uncertainty < 0.35;
-    format!("the power {} of the step{}", in_words(power), if told { polynomial } else { "" })
-}
-
 // -------------------------------------------------------------------------------------------------
-// Whether they ask anything
+// The polynomial they lie on
 // -------------------------------------------------------------------------------------------------
 
-/// What a run with outputs makes of its end.
-#[derive(Clone, Copy, Debug)]
-pub struct Asking {
-    /// Whether the end is the same to the bit.
-    same: bool,
-    /// The errors at the end without outputs and with them (rad).
-    errors: [f64; 2],
-    /// The largest error that a run with this tolerance may have (rad).
-    bound: f64,
-    /// Evaluations without them and with.
-    evaluations: Option<(u64, u64)>,
-}
+/// Windows of a run, and the states in each.
+const WINDOWS: u32 = 12;
+const STATES: u32 = 11;
+/// How far these are apart, ω₀t: all of them lie in one step, if it is not short.
+const APART: f64 = 0.02;
+/// Beyond this degree, differences of the motion itself are rounding.
+const HIGHEST: usize = 5;
 
-impl Asking {
-    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let alone =
-            asked.scenes.run(asked.scenes.starts[0], ladder.usual()).to(&[asked.scenes.duration]);
-        let outputs = asked
-            .scenes
-            .run(asked.scenes.starts[0], ladder.usual())
-            .to(&evenly(OUTPUTS, asked.scenes.duration));
-        let [without, with] = [asked.reply(&alone)?, asked.reply(&outputs)?];
-        let ends = [&without, &with].map(|reply| reply.states[reply.states.len() - 1]);
-        let errors = ends.map(|end| asked::errors(&alone, &[end])[0]);
-        Ok(Self {
-            same: ends[0] == ends[1],
-            errors,
-            bound: 10.0 * ladder.usual_error()?,
-            evaluations: without.evaluations.zip(with.evaluations),
-        })
-    }
-
-    /// What is to be said of it, where it is claimed that outputs are free, or not.
-    pub fn judge(&self, claimed: bool) -> Finding {
-        let Self { same, errors: [without, with], bound, evaluations } = *self;
-        let cost = match evaluations {
-            Some((without, with)) if with > without => {
-                format!(", with {} times the evaluations", rounded(with as f64 / without as f64))
-            }
-            _ => String::new(),
-        };
-        let verdict = match Verdict::of(with, bound, bound) {
-            Verdict::Holds if claimed && !same => Verdict::Fails,
-            other => other,
-        };
-        let stops = evaluations.is_some_and(|(without, with)| with as f64 > 1.5 * without as f64);
-        let measured = match (same, verdict) {
-            (true, _) => format!("free: the same end to the bit{cost}"),
-            (false, Verdict::Fails) if with > bound => format!(
-                "{OUTPUTS} outputs change the end from {} to {} rad",
-                scientific(without),
-                scientific(with)
-            ),
-            _ if stops => format!("it stops at them{cost}"),
-            _ => format!("an end as good, but not the same to the bit{cost}"),
-        };
-        let why = format!(
-            "the end is off by {} rad without outputs and by {} with them; a run with this \
-             tolerance may be off by {}",
-            scientific(without),
-            scientific(with),
-            about(bound)
-        );
-        Finding { measured, why, ..Finding::number(with, "rad", bound, verdict) }
-    }
-}
-
-// -------------------------------------------------------------------------------------------------
-// Rows
-// -------------------------------------------------------------------------------------------------
-
-/// Times that are easily forgotten, in units of the duration.
-const ROWS: [(&str, &[f64]); 5] = [
-    ("equal times", &[0.4, 0.4, 0.4, 0.7, 0.7]),
-    ("times at the start", &[0.0, 0.0, 0.5]),
-    ("the start alone", &[0.0]),
-    ("the last time twice", &[0.3, 1.0, 1.0]),
-    ("times of a run backwards", &[0.0, -0.3, -0.3, -1.0]),
-];
-
-/// And a thousand times within a step.
-const CLOSE: f64 = 1e-10;
-
-/// Rows that were not right: which, and why; and the largest error of those that came.
-#[derive(Clone, Debug)]
-pub struct Rows {
-    wrong: Vec<String>,
-    refused: Vec<String>,
-    largest: f64,
-    bound: f64,
-}
-
-impl Rows {
-    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let bound = 10.0 * ladder.usual_error()?;
-        let mut rows = Self { wrong: Vec::new(), refused: Vec::new(), largest: 0.0, bound };
-        let Scenes { starts, duration, .. } = asked.scenes;
-        let close: Vec<f64> = (0..1000).map(|k| 0.5 + CLOSE * f64::from(k)).collect();
-        let all = ROWS.into_iter().chain([("a thousand times within a step", &close[..])]);
-        for (name, times) in all {
-            let times: Vec<f64> = times.iter().map(|part| part * duration).collect();
-            match asked.errors(&asked.scenes.run(starts[0], ladder.usual()).to(&times)) {
-                Ok(errors) => {
-                    let largest = errors.iter().copied().fold(0.0, libm::fmaximum);
-                    rows.largest = libm::fmaximum(rows.largest, largest);
-                    if largest > bound {
-                        rows.wrong.push(format!("{name}: off by {} rad", scientific(largest)));
-                    }
-                }
-                Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-                Err(Trouble::NoAnswer(why)) => rows.refused.push(format!("{name}: {why}")),
-                Err(trouble) => rows.wrong.push(format!("{name}: {trouble}")),
+/// The degree of the polynomials on which outputs lie, if in three windows all differences of the
+/// next order are rounding, which those of the motion are not.
+fn degree(asked: Asked<'_>, ladder: &Ladder) -> Measured<Option<usize>> {
+    let scenes = asked.scenes;
+    let loosest = ladder.rungs.first().map_or(1e-3, |rung| rung.tolerance);
+    let mut found = [0; HIGHEST + 1];
+    for window in 0..WINDOWS {
+        let begin = scenes.duration * (0.13 + 0.07 * f64::from(window));
+        let apart = |k| begin + APART / scenes.frequency() * f64::from(k);
+        let times: Vec<f64> = (0..STATES).map(apart).chain([scenes.duration]).collect();
+        let states = asked.reply(&scenes.run(scenes.starts[0], loosest).to(&times))?.states;
+        let mut theta: Vec<f64> = states[..STATES as usize].iter().map(|z| z.theta).collect();
+        for degree in 0..=HIGHEST {
+            theta = theta.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            let power = degree as i32 + 1;
+            // Each state rounds by some ε, of which a difference has a binomial sum.
+            let rounding = 100.0 * f64::EPSILON * f64::from(1 << power);
+            let of_the_motion = 1e-2 * libm::pow(APART, f64::from(power));
+            let vanish = theta.iter().all(|difference| difference.abs() < rounding);
+            if vanish && rounding < of_the_motion {
+                found[degree] += 1;
+                break;
             }
         }
-        Ok(rows)
     }
-
-    pub fn judge(&self) -> Finding {
-        let Self { wrong, refused, largest, bound } = self;
-        let (verdict, measured) = match (&wrong[..], &refused[..]) {
-            ([], []) => (Verdict::Holds, "as many as asked for, at times of all kinds".to_string()),
-            ([], refused) => (Verdict::Unclear, format!("refused: {}", refused.join("; "))),
-            (wrong, _) => (Verdict::Fails, wrong.join("; ")),
-        };
-        let why = format!("each time has its row, off by {} rad at most", about(*bound));
-        Finding { measured, why, ..Finding::number(*largest, "rad", *bound, verdict) }
-    }
+    Ok(found.iter().position(|windows| *windows >= 3))
 }
 
-/// How the time goes with the number of outputs.
-#[derive(Clone, Copy, Debug)]
-pub struct Many {
-    /// As many as can be had in time.
-    count: u32,
-    /// For a tenth of them and for all (s).
-    took: [f64; 2],
-    largest: f64,
-    bound: f64,
-}
-
-const MANY: u32 = 100_000;
-
-impl Many {
-    pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
-        let timed = |count: u32| -> Measured<(f64, Vec<f64>)> {
-            let request = asked
-                .scenes
-                .run(asked.scenes.starts[0], ladder.usual())
-                .to(&evenly(count, asked.scenes.duration));
-            let begun = Instant::now();
-            let states = asked.reply(&request)?.states;
-            let took = begun.elapsed().as_secs_f64();
-            Ok((took, asked::errors(&request, &states)))
-        };
-        let patience = asked.solver.patience().as_secs_f64();
-        let mut count = MANY / 10;
-        let ((mut tenth, _), (mut all, mut errors)) = (timed(count / 10)?, timed(count)?);
-        if 10.0 * all < 0.25 * patience && !is_slow(tenth, all) {
-            (count, tenth) = (MANY, all);
-            (all, errors) = timed(count)?;
-        }
-        let largest = errors.into_iter().fold(0.0, libm::fmaximum);
-        Ok(Self { count, took: [tenth, all], largest, bound: 10.0 * ladder.usual_error()? })
+/// A polynomial of this degree.
+fn polynomial(degree: usize) -> String {
+    match degree {
+        0 => "the ends of steps".to_string(),
+        1 => "a straight line".to_string(),
+        2 => "a parabola".to_string(),
+        3 => "a cubic".to_string(),
+        4 => "a quartic".to_string(),
+        degree => format!("a polynomial of degree {degree}"),
     }
-
-    /// What is to be said of it.
-    pub fn judge(&self) -> Finding {
-        let Self { count, took: [tenth, all], largest, bound } = *self;
-        let ratio = all / tenth.max(1e-9);
-        let slow = is_slow(tenth, all);
-        let verdict = if slow { Verdict::Fails } else { Verdict::of(largest, bound, bound) };
-        let measured = match slow {
-            true => format!(
-                "{count} outputs take {all:.1} s, {ratio:.0} times as long as a tenth of them"
-            ),
-            false => format!("{count} outputs, off by {} rad at most", scientific(largest)),
-        };
-        let why =
-            format!("a tenth of them took {tenth:.2} s; a run may be off by {} rad", about(bound));
-        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
-    }
-}
-
-/// Whether all outputs take too long (s) beside a tenth of them: ten times as long where the time
-/// is linear, and a hundred times where it is not; less than 0.3 s is not worth a complaint.
-fn is_slow(tenth: f64, all: f64) -> bool {
-    all > 40.0 * tenth.max(1e-9) && all > 0.3
 }

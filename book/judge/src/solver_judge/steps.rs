@@ -102,12 +102,16 @@ fn reference(ladder: &Ladder, solver: &dyn Solver) -> Ladder {
     })
 }
 
-/// Whether somebody counts.
-pub fn counted(ladder: &Ladder) -> Measured<()> {
+/// An error if nobody counts.
+fn counted(ladder: &Ladder) -> Measured<()> {
     match ladder.rungs.iter().all(|rung| rung.evaluations.is_some_and(|n| n > 0)) {
         true => Ok(()),
         false => Err(Trouble::NoAnswer("it does not count its evaluations".to_string())),
     }
+}
+
+fn too_few() -> Trouble {
+    Trouble::NoAnswer("fewer than four tolerances tell".to_string())
 }
 
 /// Below this power an estimate is that of a wrong weight: the error of every consistent pair is of
@@ -115,10 +119,9 @@ pub fn counted(ladder: &Ladder) -> Measured<()> {
 const HOPELESS: f64 = 1.5;
 
 /// The power of the estimate, from the evaluations.
-pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Finding {
-    let Some(power) = ladder.estimate() else {
-        return Finding::nothing("fewer than four tolerances tell".to_string());
-    };
+pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
+    counted(ladder)?;
+    let power = ladder.estimate().ok_or_else(too_few)?;
     let (verdict, why) = match claimed {
         Some(claimed) => (by_claim(power, claimed), window(claimed)),
         None => (
@@ -128,7 +131,7 @@ pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Finding {
     };
     let measured =
         format!("evaluations grow as tol^(−1/q) with q = {}{}", in_words(power), varies(power));
-    Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() }
+    Ok(Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() })
 }
 
 /// How far below the claimed power the measured one may be. In the limit of short steps it is the
@@ -170,10 +173,9 @@ fn varies(power: Power) -> &'static str {
 }
 
 /// The order, from error against evaluations.
-pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Finding {
-    let Some(power) = ladder.order() else {
-        return Finding::nothing("fewer than four tolerances tell".to_string());
-    };
+pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
+    counted(ladder)?;
+    let power = ladder.order().ok_or_else(too_few)?;
     let (verdict, why) = match claimed {
         // More than is claimed is no complaint.
         Some(claimed) if power.value > f64::from(claimed) => (Verdict::Holds, window(claimed)),
@@ -185,7 +187,7 @@ pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Finding {
         in_words(power),
         varies(power)
     );
-    Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() }
+    Ok(Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() })
 }
 
 /// Whether all ends are numbers of single precision, which is no chance.
@@ -211,7 +213,8 @@ pub fn precision(ladder: &Ladder) -> Finding {
 }
 
 /// Evaluations beside those of the library for the same error.
-pub fn effort(ladder: &Ladder) -> Finding {
+pub fn effort(ladder: &Ladder) -> Measured<Finding> {
+    counted(ladder)?;
     let at = |ladder: &Ladder, error: f64| {
         ladder.rungs.windows(2).find_map(|pair| {
             let (a, b) = (pair[0].mean(), pair[1].mean());
@@ -226,15 +229,14 @@ pub fn effort(ladder: &Ladder) -> Finding {
     ];
     let ratios: Option<Vec<f64>> =
         others.iter().map(|it| Some(at(ladder, 1e-6)? / at(it, 1e-6)?)).collect();
-    let Some(values) = ratios else {
-        return Finding::nothing("no run is off by 10⁻⁶ rad".to_string());
-    };
+    let unknown = || Trouble::NoAnswer("no run is off by 10⁻⁶ rad".to_string());
+    let values = ratios.ok_or_else(unknown)?;
     let [by_5, by_8] = [values[0], values[1]].map(rounded);
     let measured = format!(
         "{by_5} times the evaluations of Dormand–Prince 5(4) for an error of 10⁻⁶ rad, and {by_8} \
          times those of DOP853"
     );
-    Finding { measured, values, verdict: Verdict::Unclaimed, ..Finding::default() }
+    Ok(Finding { measured, values, verdict: Verdict::Unclaimed, ..Finding::default() })
 }
 
 /// What it is, in words.

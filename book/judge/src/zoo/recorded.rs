@@ -1,8 +1,8 @@
 //! Answers of solvers, recorded: so that a judgement can be repeated where the solver is not.
 //!
-//! Of an answer of a few rows all bits are kept; of a long one the size of each error, to a fifth of
-//! a decade, and the bits of the last row; of a very long one the largest error alone. What is read
-//! back differs from what was recorded by no more than that, along θ.
+//! Of an answer of a few rows all bits are kept; of a long one the size of each error, to a fifth
+//! of a decade, and the bits of the last row; of a very long one the largest error alone. What is
+//! read back differs from what was recorded by no more than that, along θ.
 
 use std::cell::RefCell;
 use std::collections::HashMap;

@@ -12,74 +12,41 @@ use pendula::systems::{Counting, Driven, Pendulum, Phase, RateOf, System, Vector
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
 use crate::stranger::{Fault, Reply, driven};
 
-/// What is wrong.
+/// What is wrong: see the list of [`wrong_solvers`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Slip {
-    /// Nothing.
+enum Slip {
     Nothing,
-    /// The slope at the end of a refused step is that of the next attempt's start (ODE.jl 15).
     RefusedSlopeKept,
-    /// Between steps there are straight lines.
     OutputsByLine,
-    /// Between steps of order 8 there is a cubic (diffrax, Kvaerno5, has one in an order of 5).
     OutputsByCubic,
-    /// The end too is interpolated, by a quartic, in a method of order 8 (torchdiffeq, dopri8).
     EndByQuartic,
-    /// An output is the end of the step that it lies in.
     OutputsAtStepEnds,
-    /// Between steps there is a cubic with the first slope at both ends.
     OutputsByOldSlope,
-    /// The run goes on from the interpolated output (OrdinaryDiffEq 556).
     OutputsMoveTheRun,
-    /// Each row is the one before it.
     OutputsLate,
-    /// Equal times have one row.
     EqualTimesDropped,
-    /// A time at the start has no row.
     StartDropped,
-    /// One output a step (OrdinaryDiffEq 4139: outputs that are left out).
     OneOutputAStep,
-    /// The times that are done are taken from the front of the list, which moves the others.
     TimesMoved,
-    /// The tolerance is at least 10⁻⁶.
     ToleranceFloor,
-    /// After 200 steps it hands out where it is.
     StepLimit,
-    /// The last step runs over the end.
     LastStepOver,
-    /// The last step is left out.
     LastStepShort,
-    /// Time is in single precision.
     SingleTime,
-    /// The state is in single precision.
     SingleStates,
-    /// Steps are never shorter than a millisecond.
     SmallestStep,
-    /// The first step is a quarter of a second, whatever its error.
     FirstStepUnchecked,
-    /// An error that is negative passes.
     SignedError,
-    /// A run backwards ends at its start.
     NeverBackwards,
-    /// Backwards too, an output is due when its time is before the end of the step.
     BackwardsOutputsEarly,
-    /// All stages see the drive as it is at the start of the step.
     DriveAtStepStart,
-    /// θ is handed out between −π and π.
     AngleWrapped,
-    /// The first step is the last one of the request before.
     StepKept,
-    /// An error that is no number passes, and no tolerance is refused.
     NanPasses,
-    /// A run to a time that never comes ends at its start.
     NeverRefused,
-    /// Only passages from below are told.
     RisingOnly,
-    /// A passage is told at the end of its step (diffrax 416).
     CrossingAtStepEnd,
-    /// A passage is found on the straight line through a step.
     CrossingByLine,
-    /// After the first passage the search ends.
     FirstCrossingOnly,
 }
 
@@ -109,21 +76,28 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
     vec![
         five("nothing wrong, order 5", Nothing),
         eight("nothing wrong, order 8", Nothing),
+        // odeint 235.
         pair("the sign of 1/40 turned", Pair::with_estimate(6, 1.0 / 40.0)),
+        // SUNDIALS 850 had a wrong one.
         pair("a weight of the estimate left out", Pair::with_estimate(4, 0.0)),
         pair("two weights of the step exchanged", Pair::RIGHT.with_step_weights_exchanged()),
         pair("a stage mistyped", Pair::RIGHT.with_stage_mistyped()),
         pair("the result of order 4 handed on", Pair::RIGHT.of_lower_order()),
+        // ODE.jl 15.
         five("the slope of a refused step kept", RefusedSlopeKept),
         five("outputs by a straight line", OutputsByLine),
+        // Kvaerno5 of diffrax has a cubic in an order of 5.
         eight("outputs by a cubic", OutputsByCubic),
+        // dopri8 of torchdiffeq.
         eight("the end by a quartic", EndByQuartic),
         five("outputs at the ends of steps", OutputsAtStepEnds),
         five("outputs by the old slope", OutputsByOldSlope),
+        // OrdinaryDiffEq 556.
         five("outputs that move the run", OutputsMoveTheRun),
         five("outputs one row late", OutputsLate),
         five("equal times dropped", EqualTimesDropped),
         five("the time of the start dropped", StartDropped),
+        // OrdinaryDiffEq 4139: outputs that are left out.
         five("one output a step", OneOutputAStep),
         five("times moved one by one", TimesMoved),
         five("a floor under the tolerance", ToleranceFloor),
@@ -143,6 +117,7 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         five("an error that is no number passes", NanPasses),
         five("a time that never comes is the start", NeverRefused),
         five("passages from below only", RisingOnly),
+        // diffrax 416.
         five("passages at the ends of steps", CrossingAtStepEnd),
         five("passages on a straight line", CrossingByLine),
         five("the first passage only", FirstCrossingOnly),

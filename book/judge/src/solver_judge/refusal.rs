@@ -1,0 +1,44 @@
+//! What has no right answer.
+
+use super::asked::{self, Asked, Scenes};
+use crate::judge::report::{Finding, scientific};
+use crate::judge::verdict::{Trouble, Verdict};
+
+/// A tolerance, and the end of a run in units of its duration.
+const IMPOSSIBLE: [(&str, f64, f64); 4] = [
+    ("a tolerance of zero", 0.0, 1.0),
+    ("a negative tolerance", -1e-6, 1.0),
+    ("a tolerance that is no number", f64::NAN, 1.0),
+    ("a time that never comes", 1e-6, f64::INFINITY),
+];
+
+/// An answer that is off by more is wrong (rad).
+const WRONG: f64 = 1e-3;
+
+/// Whether the impossible ends in an error. It is asked for at last: a program that hangs is ended,
+/// and that is what is found.
+pub fn finding(asked: Asked<'_>) -> Finding {
+    let Scenes { starts, duration, .. } = asked.scenes;
+    let mut wrong = Vec::new();
+    for (name, tolerance, until) in IMPOSSIBLE {
+        let request = asked.scenes.run(starts[0], tolerance).to(&[until * duration]);
+        let what = match asked.reply(&request) {
+            Ok(_) if until.is_infinite() => "it has a state".to_string(),
+            Ok(reply) => match asked::errors(&request, &reply.states)[0] {
+                error if error > WRONG => {
+                    format!("a state that is off by {} rad", scientific(error))
+                }
+                _ => continue,
+            },
+            Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => continue,
+            Err(trouble) => trouble.to_string(),
+        };
+        wrong.push(format!("{name}: {what}"));
+    }
+    let (verdict, measured) = match wrong.is_empty() {
+        true => (Verdict::Holds, "the impossible has an error, or a right answer".to_string()),
+        false => (Verdict::Fails, wrong.join("; ")),
+    };
+    let why = format!("a state that is off by more than {WRONG} rad is a wrong answer");
+    Finding { measured, why, ..Finding::number(wrong.len() as f64, "", 0.0, verdict) }
+}

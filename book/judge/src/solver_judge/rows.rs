@@ -1,0 +1,138 @@
+//! What asking for outputs does: whether it changes the run, whether there are as many rows as were
+//! asked for, and how the time goes with their number.
+
+use std::time::Instant;
+
+use super::asked::{self, Asked, evenly, largest_of};
+use super::ladder::Ladder;
+use super::outputs::{OUTPUTS, rounded};
+use crate::judge::report::{Finding, about, scientific};
+use crate::judge::verdict::{Measured, Trouble, Verdict};
+
+/// Whether a run ends in the same state with outputs and without; where it is claimed that they are
+/// free, to the bit.
+pub fn free(asked: Asked<'_>, ladder: &Ladder, claimed: bool) -> Measured<Finding> {
+    let run = ladder.run(asked.scenes.starts[0]);
+    let alone = run.clone().to(&[asked.scenes.duration]);
+    let outputs = run.to(&evenly(OUTPUTS, asked.scenes.duration));
+    let replies = [asked.reply(&alone)?, asked.reply(&outputs)?];
+    let ends = replies.each_ref().map(|reply| reply.states[reply.states.len() - 1]);
+    let [without, with] = ends.map(|end| asked::errors(&alone, &[end])[0]);
+    let bound = 10.0 * ladder.usual_error()?;
+    let same = ends[0] == ends[1];
+    let more = match replies.map(|reply| reply.evaluations) {
+        [Some(without), Some(with)] => with as f64 / without as f64,
+        _ => 1.0,
+    };
+    let verdict = match Verdict::of(with, bound, bound) {
+        Verdict::Holds if claimed && !same => Verdict::Fails,
+        other => other,
+    };
+    let what = match (same, with > bound) {
+        (true, _) => "free: the same end to the bit".to_string(),
+        (_, true) => format!(
+            "{OUTPUTS} outputs change the end from {} to {} rad",
+            scientific(without),
+            scientific(with)
+        ),
+        _ if more > 1.5 => "it stops at them".to_string(),
+        _ => "an end as good, but not the same to the bit".to_string(),
+    };
+    let cost = match more > 1.0 {
+        true => format!(", with {} times the evaluations", rounded(more)),
+        false => String::new(),
+    };
+    let why = format!(
+        "the end is off by {} rad without outputs and by {} with them; a run with this tolerance \
+         may be off by {}",
+        scientific(without),
+        scientific(with),
+        about(bound)
+    );
+    let measured = what + &cost;
+    Ok(Finding { measured, why, ..Finding::number(with, "rad", bound, verdict) })
+}
+
+/// Times that are easily forgotten, in units of the duration.
+const ROWS: [(&str, &[f64]); 5] = [
+    ("equal times", &[0.4, 0.4, 0.4, 0.7, 0.7]),
+    ("times at the start", &[0.0, 0.0, 0.5]),
+    ("the start alone", &[0.0]),
+    ("the last time twice", &[0.3, 1.0, 1.0]),
+    ("times of a run backwards", &[0.0, -0.3, -0.3, -1.0]),
+];
+
+/// And a thousand times within a step, so far apart.
+const CLOSE: f64 = 1e-10;
+
+/// Whether there are as many rows as were asked for, each at its time.
+pub fn all(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
+    let bound = 10.0 * ladder.usual_error()?;
+    let (mut wrong, mut refused, mut worst) = (Vec::new(), Vec::new(), 0.0);
+    let close: Vec<f64> = (0..1000).map(|k| 0.5 + CLOSE * f64::from(k)).collect();
+    let within = ("a thousand times within a step", &close[..]);
+    for (name, times) in ROWS.into_iter().chain([within]) {
+        let times: Vec<f64> = times.iter().map(|part| part * asked.scenes.duration).collect();
+        match asked.errors(&ladder.run(asked.scenes.starts[0]).to(&times)) {
+            Ok(errors) => {
+                let largest = largest_of(errors);
+                worst = libm::fmaximum(worst, largest);
+                if largest > bound {
+                    wrong.push(format!("{name}: off by {} rad", scientific(largest)));
+                }
+            }
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            Err(Trouble::NoAnswer(why)) => refused.push(format!("{name}: {why}")),
+            Err(trouble) => wrong.push(format!("{name}: {trouble}")),
+        }
+    }
+    let (verdict, measured) = match (&wrong[..], &refused[..]) {
+        ([], []) => (Verdict::Holds, "as many as asked for, at times of all kinds".to_string()),
+        ([], refused) => (Verdict::Unclear, format!("refused: {}", refused.join("; "))),
+        (wrong, _) => (Verdict::Fails, wrong.join("; ")),
+    };
+    let why = format!("each time has its row, off by {} rad at most", about(bound));
+    Ok(Finding { measured, why, ..Finding::number(worst, "rad", bound, verdict) })
+}
+
+/// As many outputs as are asked for at most, if there is time.
+const MANY: u32 = 100_000;
+
+/// Whether the time goes with the number of outputs.
+pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
+    let timed = |count: u32| -> Measured<(f64, Vec<f64>)> {
+        let times = evenly(count, asked.scenes.duration);
+        let request = ladder.run(asked.scenes.starts[0]).to(&times);
+        let begun = Instant::now();
+        let states = asked.reply(&request)?.states;
+        Ok((begun.elapsed().as_secs_f64(), asked::errors(&request, &states)))
+    };
+    let mut count = MANY / 10;
+    let ((mut tenth, _), (mut took, mut errors)) = (timed(count / 10)?, timed(count)?);
+    let in_time = 10.0 * took < 0.25 * asked.solver.patience().as_secs_f64();
+    if in_time && !is_slow(tenth, took) {
+        (count, tenth) = (MANY, took);
+        (took, errors) = timed(count)?;
+    }
+    let (largest, bound) = (largest_of(errors), 10.0 * ladder.usual_error()?);
+    let (verdict, measured) = match is_slow(tenth, took) {
+        true => {
+            let ratio = took / tenth.max(1e-9);
+            let slow = format!("{took:.1} s, {ratio:.0} times as long as a tenth of them");
+            (Verdict::Fails, format!("{count} outputs take {slow}"))
+        }
+        false => {
+            let off = format!("off by {} rad at most", scientific(largest));
+            (Verdict::of(largest, bound, bound), format!("{count} outputs, {off}"))
+        }
+    };
+    let why =
+        format!("a tenth of them took {tenth:.2} s; a run may be off by {} rad", about(bound));
+    Ok(Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) })
+}
+
+/// Whether all outputs take too long (s) beside a tenth of them: ten times as long where the time
+/// is linear, and a hundred times where it is not; less than 0.3 s is not worth a complaint.
+fn is_slow(tenth: f64, all: f64) -> bool {
+    all > 40.0 * tenth.max(1e-9) && all > 0.3
+}
