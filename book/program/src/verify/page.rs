@@ -274,7 +274,7 @@ fn evaluations(tolerances: &[Tolerance], power: Option<Power>) -> Option<String>
     if let Some((power, digits, how)) = told {
         // Long steps tell no power: from the smallest tolerance.
         chart = chart.slope(-1.0 / power, last, first.0, format!("slope −1/{digits}, {how}"));
-        slope = format!("; the dotted line grows with the power q = {digits} that is {how}");
+        slope = format!("; the dotted line has q = {digits}, as {how}");
     }
     let caption = format!(
         "Force evaluations of three runs against the tolerance, both axes logarithmic. With an \
