@@ -17,6 +17,7 @@ mod questions;
 mod readme;
 mod rounding;
 mod snapshots;
+mod tolerance;
 mod transcription;
 mod typed;
 

@@ -9,7 +9,9 @@ use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exac
 use pendula_curves::kepler::{Ellipse, Kepler};
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;
-use pendula_study::experiments::{choosing, long_run, small_angle, standard_map, truncation};
+use pendula_study::experiments::{
+    choosing, long_run, small_angle, standard_map, tolerance, truncation,
+};
 use pendula_study::theory;
 
 use crate::measured;
@@ -57,6 +59,33 @@ const TYPED: &[Typed] = &[
     ("higher-order", "is $-0.66$.", "-0.66", || 1.0 - 4.0 / (4.0 - 4_f64.cbrt())),
     ("higher-order", r"\approx 0.239$,", "0.239", || 1.0 / (6.0 - 6_f64.cbrt())),
     ("higher-order", r"\approx -0.434$.", "-0.434", || 1.0 - 6.0 / (6.0 - 6_f64.cbrt())),
+    ("tolerance", "off by about 80 tolerances", "8e1", || multiple(0)),
+    ("tolerance", "DOP853 by 10,", "1.0e1", || multiple(1)),
+    ("tolerance", "the series by 2.", "2", || multiple(2)),
+    ("tolerance", "$q = 5.2$ for", "5.2", || power_of_estimate(0)),
+    ("tolerance", "and 9.2 for DOP853", "9.2", || power_of_estimate(1)),
+    ("tolerance", "turned it is 1.0.", "1.0", || {
+        let turned = tolerance::of_the_zoo(tolerance::SIGN_TURNED);
+        let runs = tolerance::tolerances(5).map(|tol| tolerance::run(&*turned, tol));
+        tolerance::power_of_estimate(&runs.collect::<Vec<_>>())
+    }),
+    ("tolerance", "it takes 1.6 million", "1.6", || {
+        tolerance::run(&*tolerance::of_the_zoo(tolerance::SIGN_TURNED), 1e-5).evaluations / 1e6
+    }),
+    ("tolerance", "and Dormand–Prince 480.", "4.8e2", || of_the_library(0, 1e-5).evaluations),
+    ("tolerance", "is 15 000 times as far off", "1.5e4", || {
+        let worst = |name| {
+            let along = tolerance::along(&*tolerance::of_the_zoo(name), 1e-8, 2000);
+            along.into_iter().map(|(_, error)| error).fold(0.0, f64::max)
+        };
+        worst(tolerance::CUBIC) / worst(tolerance::OWN_INTERPOLANT)
+    }),
+    ("tolerance", "off by 0.04 tolerances", "0.04", || of_the_library(2, 1e-9).error / 1e-9),
+    ("tolerance", "at $10^{-10}$ by 17.", "17", || of_the_library(2, 1e-10).error / 1e-10),
+    ("tolerance", r"off by $1.1\cdot10^{-4}$ rad", "1.1e-4", || of_the_library(0, 1e-6).error),
+    ("tolerance", "is 107 times the", "107", || of_the_library(0, 1e-6).error / 1e-6),
+    ("tolerance", r"$9.3\cdot10^{-9}$: it", "9.3e-9", || 1e-12 / of_the_library(0, 1e-6).error),
+    ("tolerance", r"is off by $9.6\cdot10^{-7}$", "9.6e-7", || of_the_library(0, 9.3e-9).error),
     ("other-systems", r"$h \approx 0.38$ s", "0.38", || {
         (144.0 * 0.05 / PAPER.frequency_squared().powi(3)).powf(0.2)
     }),
@@ -154,6 +183,27 @@ fn hundred_swings(method: &str) -> f64 {
 /// Symplectic Euler's energy error over RK4's in the long run.
 fn symplectic_euler_over_rk4() -> f64 {
     measured("T5.se.dH") / measured("T5.rk4.dH")
+}
+
+/// The run from 2 rad of one of the chapter's solvers with this tolerance.
+fn of_the_library(solver: usize, tol: f64) -> tolerance::Run {
+    tolerance::run(&*tolerance::solvers()[solver].1, tol)
+}
+
+/// How many tolerances a solver is off by: the mean over swings, and over tolerances below 10⁻⁵.
+fn multiple(solver: usize) -> f64 {
+    let solver = &tolerance::solvers()[solver].1;
+    let tolerances = tolerance::tolerances(12).filter(|tol| *tol < 2e-5);
+    let logs = tolerances.map(|tol| (tolerance::mean_error(&**solver, tol) / tol).ln());
+    let logs: Vec<f64> = logs.collect();
+    (logs.iter().sum::<f64>() / logs.len() as f64).exp()
+}
+
+/// The power of a solver's estimate, from its evaluations with tolerances up to 10⁻⁶.
+fn power_of_estimate(solver: usize) -> f64 {
+    let tolerances = tolerance::tolerances(12).filter(|tol| *tol < 2e-6);
+    let runs = tolerances.map(|tol| of_the_library(solver, tol));
+    tolerance::power_of_estimate(&runs.collect::<Vec<_>>())
 }
 
 /// The turn (rad) of an ellipse of eccentricity 0.6 in a revolution of 100 steps.

@@ -48,6 +48,7 @@ mod listings {
         limits: "../../src/limits.md",
         higher_order: "../../src/higher-order.md",
         varying_steps: "../../src/varying-steps.md",
+        tolerance: "../../src/tolerance.md",
         other_systems: "../../src/other-systems.md",
         choosing: "../../src/choosing.md",
         judging: "../../src/judging.md",

@@ -20,6 +20,7 @@ pub mod side_by_side;
 pub mod small_angle;
 pub mod splitting;
 pub mod standard_map;
+pub mod tolerance;
 pub mod truncation;
 pub mod varying_steps;
 pub mod work;

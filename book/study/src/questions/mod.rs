@@ -20,6 +20,7 @@ mod rk4;
 mod small_angle;
 mod stormer_verlet;
 mod symplectic_euler;
+mod tolerance;
 mod varying_steps;
 
 /// What is right.
@@ -79,6 +80,7 @@ const CHAPTERS: &[&[(&str, Compute)]] = &[
     limits::QUESTIONS,
     higher_order::QUESTIONS,
     varying_steps::QUESTIONS,
+    tolerance::QUESTIONS,
     other_systems::QUESTIONS,
     choosing::QUESTIONS,
     judging::QUESTIONS,

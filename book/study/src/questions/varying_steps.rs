@@ -1,36 +1,14 @@
 //! Questions of "Steps that vary".
 
-use pendula::adaptive::{Adaptive, Controlled, SymmetricSteps, Tolerance};
-use pendula::methods::{Dop853, DormandPrince, StormerVerlet};
-use pendula::{Grid, Hamiltonian, Pendulum, Phase, integrate};
+use pendula::adaptive::SymmetricSteps;
+use pendula::methods::StormerVerlet;
+use pendula::{Grid, Hamiltonian, integrate};
 use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use super::{Compute, Truth};
 
 /// The chapter's questions.
-pub const QUESTIONS: &[(&str, Compute)] =
-    &[("varying-steps-tolerance", tolerance), ("varying-steps-drift", drift)];
-
-/// The tolerance that is asked about, and how many times smaller it becomes.
-const TOLERANCE: f64 = 1e-6;
-const SMALLER: f64 = 1e3;
-
-/// How many times as many steps a method takes then, in the chapter's swing from 3 rad.
-fn more_steps(method: impl Controlled<Pendulum>) -> f64 {
-    let steps = |tolerance| {
-        let walk = Adaptive::new(method, Tolerance::uniform(tolerance).expect("a tolerance"));
-        let run = walk.integrate(&Pendulum::PAPER, Phase::at_rest(3.0), 0.0, 30.0, &mut ());
-        run.expect("a step for each tolerance").1.accepted as f64
-    };
-    steps(TOLERANCE / SMALLER) / steps(TOLERANCE)
-}
-
-fn tolerance() -> Truth {
-    Truth::Number {
-        right: more_steps(Dop853),
-        mistakes: vec![("five", more_steps(DormandPrince)), ("proportional", SMALLER)],
-    }
-}
+pub const QUESTIONS: &[(&str, Compute)] = &[("varying-steps-drift", drift)];
 
 /// The revolutions after which the energy errors are looked at.
 const REVOLUTIONS: [f64; 2] = [100.0, 1000.0];

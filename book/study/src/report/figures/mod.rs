@@ -6,6 +6,7 @@ mod evidence;
 mod geometry;
 mod opening;
 mod paper;
+mod tolerance;
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -114,6 +115,9 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "least_change", draw: evidence::least_change },
     Drawing { name: "widths", draw: evidence::widths },
     Drawing { name: "varying_steps", draw: beyond::varying_steps },
+    Drawing { name: "tolerance_error", draw: tolerance::error },
+    Drawing { name: "tolerance_work", draw: tolerance::work },
+    Drawing { name: "tolerance_outputs", draw: tolerance::outputs },
     Drawing { name: "poincare", draw: beyond::poincare },
     Drawing { name: "separation", draw: beyond::separation },
     Drawing { name: "kapitza", draw: beyond::kapitza },
