@@ -77,13 +77,17 @@ fn right_solvers_hold(#[case] answers: &str, #[case] claims: &str) {
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
 }
 
+/// torchdiffeq's polynomial has degree 4, whatever the order of the method.
+const THE_END: &str =
+    "The end of a run is interpolated, like all outputs: they come from a quartic";
+
 /// Published solvers whose outputs are worse than their steps, as the judge found them.
 ///
 /// Catches: a measurement of outputs that sees none of this.
 #[rstest]
-#[case::kvaerno5(answers!("diffrax-Kvaerno5"), "as those on a cubic")]
-#[case::torchdiffeq_bosh3(answers!("torchdiffeq-bosh3"), "The end of a run is interpolated")]
-#[case::torchdiffeq_dopri8(answers!("torchdiffeq-dopri8"), "The end of a run is interpolated")]
+#[case::kvaerno5(answers!("diffrax-Kvaerno5"), "they come from a cubic")]
+#[case::torchdiffeq_bosh3(answers!("torchdiffeq-bosh3"), THE_END)]
+#[case::torchdiffeq_dopri8(answers!("torchdiffeq-dopri8"), THE_END)]
 fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &str) {
     let report = recorded(answers, "free-outputs");
     assert!(failing(&report).contains(&"output"), "{report}");
@@ -98,7 +102,7 @@ fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &st
 fn a_function_is_judged() {
     let heun =
         SolveFn(|g: f64, theta: f64, omega: f64, from: f64, tolerance: f64, times: &[f64]| {
-            if !(tolerance > 0.0) || times.iter().any(|t| !t.is_finite()) {
+            if tolerance.is_nan() || tolerance <= 0.0 || times.iter().any(|t| !t.is_finite()) {
                 return Err("a tolerance has to be positive, and times finite");
             }
             let rate = |(theta, omega): (f64, f64)| (omega, -g * f64::sin(theta));

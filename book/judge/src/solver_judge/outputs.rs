@@ -194,7 +194,7 @@ fn degree(asked: Asked<'_>, ladder: &Ladder) -> Measured<Option<usize>> {
         let times: Vec<f64> = (0..STATES).map(apart).chain([scenes.duration]).collect();
         let states = asked.reply(&scenes.run(scenes.starts[0], loosest).to(&times))?.states;
         let mut theta: Vec<f64> = states[..STATES as usize].iter().map(|z| z.theta).collect();
-        for degree in 0..=HIGHEST {
+        for (degree, found) in found.iter_mut().enumerate() {
             theta = theta.windows(2).map(|pair| pair[1] - pair[0]).collect();
             let power = degree as i32 + 1;
             // Each state rounds by some ε, of which a difference has a binomial sum.
@@ -202,7 +202,7 @@ fn degree(asked: Asked<'_>, ladder: &Ladder) -> Measured<Option<usize>> {
             let of_the_motion = 1e-2 * libm::pow(APART, f64::from(power));
             let vanish = theta.iter().all(|difference| difference.abs() < rounding);
             if vanish && rounding < of_the_motion {
-                found[degree] += 1;
+                *found += 1;
                 break;
             }
         }
