@@ -115,7 +115,7 @@ fn every_chapter_asks_one_question() {
     let texts = chapters();
     for name in in_order(&texts) {
         let text = text_of(&texts, &name);
-        let head = text.split("\n## ").next().unwrap();
+        let head = text.split("\n## ").next().unwrap().trim_end();
         let quotes: Vec<&str> = head.split("\n\n").filter(|part| part.starts_with("> ")).collect();
         assert_eq!(quotes.len(), 1, "{name}: {quotes:?}");
         assert!(quotes[0].ends_with('?') && quotes[0].matches('?').count() == 1, "{name}");
