@@ -76,7 +76,6 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
     vec![
         five("nothing wrong, order 5", Nothing),
         eight("nothing wrong, order 8", Nothing),
-        // odeint 235.
         pair("the sign of 1/40 turned", Pair::with_estimate(6, 1.0 / 40.0)),
         // SUNDIALS 850 had a wrong one.
         pair("a weight of the estimate left out", Pair::with_estimate(4, 0.0)),
