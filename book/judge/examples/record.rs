@@ -1,5 +1,10 @@
-//! Judges a solver and records its answers: `record CLAIMS FILE PROGRAM …`. The records in
-//! `tests/verify/solvers/` are made so.
+//! Judges a solver and records its answers. The records in `tests/verify/solvers/` are made so, with
+//! what `book/strangers/python/solvers-requirements.txt` names:
+//!
+//! ```text
+//! cargo run --release -p pendula-judge --features zoo --example record -- \
+//!     "" tests/verify/solvers/SciPy-RK45.txt python3 book/strangers/python/solver.py SciPy-RK45
+//! ```
 
 use std::ffi::OsString;
 use std::time::Duration;
