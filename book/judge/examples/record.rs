@@ -1,5 +1,5 @@
-//! Judges a solver and records its answers. The records in `tests/verify/solvers/` are made so, with
-//! what `book/strangers/python/solvers-requirements.txt` names:
+//! Judges a solver and records its answers. The records in `tests/verify/solvers/` are made so,
+//! with what `book/strangers/python/solvers-requirements.txt` names:
 //!
 //! ```text
 //! cargo run --release -p pendula-judge --features zoo --example record -- \
