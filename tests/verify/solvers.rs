@@ -3,7 +3,7 @@
 
 use pendula_judge::zoo::recorded::Recorded;
 use pendula_judge::zoo::solvers::wrong_solvers;
-use pendula_judge::{Claims, Report, SolveFn, Verdict, judge_solver};
+use pendula_judge::{Claims, Kind, Report, SolveFn, Solver, Verdict, judge_solver};
 use rstest::rstest;
 
 /// The claims of a report that fail.
@@ -95,47 +95,62 @@ fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &st
 }
 
 /// Heun's method with the result of Euler's beside it, steps that stop at the outputs, and a
-/// function for all of it.
-///
+/// function for all of it; of an equation with this force, over g/L.
+fn heun(force: fn(f64) -> f64) -> impl Solver {
+    SolveFn(move |g: f64, theta: f64, omega: f64, from: f64, tolerance: f64, times: &[f64]| {
+        if tolerance.is_nan() || tolerance <= 0.0 || times.iter().any(|t| !t.is_finite()) {
+            return Err("a tolerance has to be positive, and times finite");
+        }
+        let rate = |(theta, omega): (f64, f64)| (omega, g * force(theta));
+        let (mut t, mut z, mut count) = (from, (theta, omega), 0);
+        let mut step = (times[times.len() - 1] - from) / 100.0;
+        let mut rows = Vec::new();
+        for &until in times {
+            while t != until {
+                let left = until - t;
+                let h = if step.abs() < left.abs() { step } else { left };
+                let k1 = rate(z);
+                let k2 = rate((z.0 + h * k1.0, z.1 + h * k1.1));
+                count += 2;
+                let allowed = |x: f64, scale: f64| tolerance * (scale + x.abs());
+                let error = (0.5 * h * (k2.0 - k1.0) / allowed(z.0, 1.0))
+                    .abs()
+                    .max((0.5 * h * (k2.1 - k1.1) / allowed(z.1, g.sqrt())).abs());
+                let factor = (0.9 / error.max(1e-9).sqrt()).clamp(0.2, 5.0);
+                if error <= 1.0 {
+                    z = (z.0 + 0.5 * h * (k1.0 + k2.0), z.1 + 0.5 * h * (k1.1 + k2.1));
+                    t = if h == left { until } else { t + h };
+                    // A step that was cut short says little about the next.
+                    step = if h == left && factor >= 1.0 { step } else { h * factor };
+                } else {
+                    step = h * factor;
+                }
+            }
+            rows.push(z);
+        }
+        Ok((rows, count))
+    })
+}
+
 /// Catches: a function that cannot be judged, an order of 2 that is taken for another.
 #[test]
 fn a_function_is_judged() {
-    let heun =
-        SolveFn(|g: f64, theta: f64, omega: f64, from: f64, tolerance: f64, times: &[f64]| {
-            if tolerance.is_nan() || tolerance <= 0.0 || times.iter().any(|t| !t.is_finite()) {
-                return Err("a tolerance has to be positive, and times finite");
-            }
-            let rate = |(theta, omega): (f64, f64)| (omega, -g * f64::sin(theta));
-            let (mut t, mut z, mut count) = (from, (theta, omega), 0);
-            let mut step = (times[times.len() - 1] - from) / 100.0;
-            let mut rows = Vec::new();
-            for &until in times {
-                while t != until {
-                    let left = until - t;
-                    let h = if step.abs() < left.abs() { step } else { left };
-                    let k1 = rate(z);
-                    let k2 = rate((z.0 + h * k1.0, z.1 + h * k1.1));
-                    count += 2;
-                    let allowed = |x: f64, scale: f64| tolerance * (scale + x.abs());
-                    let error = (0.5 * h * (k2.0 - k1.0) / allowed(z.0, 1.0))
-                        .abs()
-                        .max((0.5 * h * (k2.1 - k1.1) / allowed(z.1, g.sqrt())).abs());
-                    let factor = (0.9 / error.max(1e-9).sqrt()).clamp(0.2, 5.0);
-                    if error <= 1.0 {
-                        z = (z.0 + 0.5 * h * (k1.0 + k2.0), z.1 + 0.5 * h * (k1.1 + k2.1));
-                        t = if h == left { until } else { t + h };
-                        // A step that was cut short says little about the next.
-                        step = if h == left && factor >= 1.0 { step } else { h * factor };
-                    } else {
-                        step = h * factor;
-                    }
-                }
-                rows.push(z);
-            }
-            Ok((rows, count))
-        });
+    let heun = heun(|theta| -theta.sin());
     let report = judge_solver(&heun, Claims::order(2).estimate(2));
     assert!(failing(&report).is_empty(), "{report}");
     let wrong = judge_solver(&heun, Claims::order(3).estimate(2));
     assert_eq!(failing(&wrong), ["order"], "{wrong}");
+}
+
+/// Catches: another equation that is taken for a wrong coefficient.
+#[rstest]
+#[case::linear(|theta: f64| -theta, Kind::Force)]
+#[case::degrees(|theta: f64| -theta.to_radians().sin(), Kind::SineOfDegrees)]
+#[case::upside_down(f64::sin, Kind::Sign)]
+#[case::rod(|theta: f64| -1.5 * theta.sin(), Kind::Gravity)]
+fn another_equation_is_told(#[case] force: fn(f64) -> f64, #[case] kind: Kind) {
+    let report = judge_solver(&heun(force), Claims::order(2));
+    let departure = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
+    assert_eq!(departure.kind, kind, "{report}");
+    assert_eq!(report.look_at[0], format!("{}.", departure.sentence), "{report}");
 }

@@ -1,7 +1,5 @@
 //! What to look at where a claim of a solver fails: the cause first.
 
-use core::f64::consts::TAU;
-
 use super::Found;
 use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
@@ -29,8 +27,12 @@ pub fn at(report: &Report, found: &Found) -> Vec<String> {
         .filter(|it| it.verdict == Verdict::Fails)
         .map(|it| it.name)
         .collect();
-    let mut left = failing.clone();
+    let mut left = failing;
     let mut said = Vec::new();
+    if let Some(departure) = &report.departure {
+        said.push(format!("{}.", departure.sentence));
+        left.retain(|name| !END.contains(name));
+    }
     for (property, cause) in CAUSES {
         if !left.contains(property) {
             continue;
@@ -48,7 +50,6 @@ type Known = (&'static str, fn(&Found) -> Option<Cause>);
 
 const CAUSES: &[Known] = &[
     ("precision", |_| Some(("States are numbers of single precision.".to_string(), END))),
-    ("tolerance", |found| wrapped(found)),
     ("tolerance", |found| other_time(found)),
     ("estimate", |found| {
         let hopeless = found.ladder.estimate().is_some_and(|power| power.value < 1.5);
@@ -145,19 +146,6 @@ fn uneven(ladder: &Ladder) -> Cause {
         }
     };
     (sentence, END)
-}
-
-/// An angle that is handed out whole turns off.
-fn wrapped(found: &Found) -> Option<Cause> {
-    let Scenes { starts, duration, .. } = found.scenes;
-    let rung = found.ladder.rungs.last()?;
-    let wrapped = starts.into_iter().zip(rung.ends).any(|(start, end)| {
-        let off = end.theta - found.scenes.motion(start).at(duration).theta;
-        let turns = libm::round(off / TAU);
-        turns != 0.0 && (off - turns * TAU).abs() < 1e-3
-    });
-    let sentence = "The angle is handed out whole turns off: it is to count them.";
-    wrapped.then(|| (sentence.to_string(), END))
 }
 
 /// The end of a rotation that is the state of another time, which it has but once.

@@ -3,6 +3,7 @@
 mod asked;
 mod crossings;
 mod driven;
+mod equation;
 mod ladder;
 mod look;
 mod outputs;
@@ -158,13 +159,14 @@ impl Judge<'_> {
         self.note("driven", if_had(&driven), driven)?;
         self.note("many", implied(), rows::many(asked, &ladder))?;
         self.note("effort", None, steps::effort(&ladder))?;
-        self.note("refusal", implied(), Ok(refusal::finding(asked)))?;
         let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
         self.report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
         let outputs = outputs.ok();
         self.report.evidence.outputs =
             outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
+        self.report.departure = equation::departure(asked, &ladder);
         let only_one_way = passages.is_ok_and(|passages| passages.only_one_way());
+        self.note("refusal", implied(), Ok(refusal::finding(asked)))?;
         Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way })
     }
 }
