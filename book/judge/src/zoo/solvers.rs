@@ -7,10 +7,10 @@ use core::f64::consts::{PI, TAU};
 use pendula::adaptive::Tolerance;
 use pendula::methods::Dop853;
 use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
-use pendula::systems::{Counting, Driven, Pendulum, Phase, RateOf, System, Vector};
+use pendula::systems::{Pendulum, Phase, RateOf, System, Vector};
 
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::{Fault, Reply, driven};
+use crate::stranger::{Drive, Fault, Reply};
 
 /// What is wrong: see the list of [`wrong_solvers`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,6 +123,9 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
     ]
 }
 
+/// A step: time (s) and state at each fraction of it.
+type Step<'s> = &'s dyn Fn(f64) -> (f64, Phase);
+
 /// An embedded method with one slip in its loop.
 struct Slipping<M> {
     method: M,
@@ -137,11 +140,11 @@ impl<M: Embedded> Slipping<M> {
     }
 
     /// Runs `system` to the times of a request, and hands each step to `look`.
-    fn run<S: System<State = Phase>>(
+    fn run(
         &self,
-        system: &Counting<&S>,
+        system: &Pushed,
         request: &SolveRequest,
-        mut look: impl FnMut(&dyn Fn(f64) -> (f64, Phase)),
+        look: &mut dyn FnMut(Step<'_>),
     ) -> Result<Vec<Phase>, Fault> {
         use Slip::*;
         let is = |slip| self.slip == slip;
@@ -186,12 +189,9 @@ impl<M: Embedded> Slipping<M> {
                 break;
             }
             steps += 1;
-            let (end, stages) = if is(DriveAtStepStart) {
-                let frozen = Frozen { system, t };
-                self.method.attempt(&frozen, t, step, z, slope)
-            } else {
-                self.method.attempt(system, t, step, z, slope)
-            };
+            system.frozen.set(is(DriveAtStepStart).then_some(t));
+            let (end, stages) = self.method.attempt(system, t, step, z, slope);
+            system.frozen.set(None);
             let mut error = self.method.error(&stages, |rate| {
                 let error = rate * step;
                 let sign = if is(SignedError) { signed(z + error, z) } else { 1.0 };
@@ -320,43 +320,54 @@ fn signed(a: Phase, b: Phase) -> f64 {
     if a.theta < b.theta { -1.0 } else { 1.0 }
 }
 
-/// A system whose time stands still.
-struct Frozen<'s, S> {
-    system: &'s S,
-    t: f64,
+/// A pendulum under a drive or none, its evaluations counted. (One type for all keeps the loop from
+/// being compiled for each.)
+struct Pushed {
+    pendulum: Pendulum,
+    drive: Drive,
+    /// A time that stands still (s).
+    frozen: Cell<Option<f64>>,
+    evaluations: Cell<u64>,
 }
 
-impl<S: System<State = Phase>> System for Frozen<'_, S> {
+impl Pushed {
+    fn new(g_over_l: f64, drive: Option<Drive>) -> Result<Self, Fault> {
+        let refused = |error: pendula::Error| Fault::Refused(error.to_string());
+        let pendulum = Pendulum::new(g_over_l, 1.0, 1.0).map_err(refused)?;
+        let drive = drive.unwrap_or(Drive { amplitude: 0.0, frequency: 0.0 });
+        Ok(Self { pendulum, drive, frozen: Cell::new(None), evaluations: Cell::new(0) })
+    }
+}
+
+impl System for Pushed {
     type State = Phase;
 
-    fn rate(&self, _t: f64, z: Phase) -> RateOf<S> {
-        self.system.rate(self.t, z)
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let Drive { amplitude, frequency } = self.drive;
+        let push = amplitude * libm::cos(frequency * self.frozen.get().unwrap_or(t));
+        let rate = self.pendulum.rate(t, z);
+        Phase { omega: rate.omega + push, ..rate }
     }
 }
 
 impl<M: Embedded> Solver for Slipping<M> {
     fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
-        let pendulum = pendulum(request.g_over_l)?;
-        if let Some(drive) = request.drive {
-            let driven: Driven = driven(pendulum, drive)?;
-            let states = self.run(&Counting::new(&driven), request, |_| {})?;
-            return Ok(Reply { states, evaluations: None });
-        }
+        let system = Pushed::new(request.g_over_l, request.drive)?;
         if self.slip == Slip::NeverRefused && self.end_of(request)?.1 == 0.0 {
             let states = vec![request.start; request.times.len()];
             return Ok(Reply { states, evaluations: None });
         }
-        let system = Counting::new(&pendulum);
-        let states = self.run(&system, request, |_| {})?;
-        Ok(Reply { states, evaluations: Some(system.evaluations()) })
+        let states = self.run(&system, request, &mut |_| {})?;
+        Ok(Reply { states, evaluations: Some(system.evaluations.get()) })
     }
 
     fn crossings(&self, request: &CrossingsRequest) -> Result<Crossings, Fault> {
         let CrossingsRequest { g_over_l, start, span: [from, until], tolerance } = *request;
-        let pendulum = pendulum(g_over_l)?;
+        let system = Pushed::new(g_over_l, None)?;
         let run = SolveRequest::new(g_over_l, start, tolerance).from(from).to(&[until]);
         let mut found = Vec::new();
-        self.run(&Counting::new(&pendulum), &run, |step| {
+        self.run(&system, &run, &mut |step| {
             let (before, after) = (step(0.0).1.theta, step(1.0).1.theta);
             let rising = before < 0.0 && after >= 0.0;
             let falling = before > 0.0 && after <= 0.0 && self.slip != Slip::RisingOnly;
@@ -372,12 +383,8 @@ impl<M: Embedded> Solver for Slipping<M> {
     }
 }
 
-fn pendulum(g_over_l: f64) -> Result<Pendulum, Fault> {
-    Pendulum::new(g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
-}
-
 /// Where θ has passed zero, within a step that begins at `before`.
-fn bisect(step: &dyn Fn(f64) -> (f64, Phase), before: f64) -> (f64, Phase) {
+fn bisect(step: Step<'_>, before: f64) -> (f64, Phase) {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..52 {
         let middle = 0.5 * (low + high);
