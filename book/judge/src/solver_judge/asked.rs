@@ -161,7 +161,8 @@ pub struct Power {
     pub uncertainty: f64,
 }
 
-/// The slope of a line through points (ln x, ln y), by least squares; of at least four.
+/// The slope of a line through points (ln x, ln y), by least squares; of at least four, if it is
+/// known to more than itself.
 pub fn power(points: &[(f64, f64)]) -> Option<Power> {
     let (slope, error) = line(points).filter(|_| points.len() >= 4)?;
     let (first, second) = points.split_at(points.len() / 2);
@@ -171,7 +172,7 @@ pub fn power(points: &[(f64, f64)]) -> Option<Power> {
         _ => 0.0,
     };
     let value = Power { value: slope, uncertainty: libm::fmax(2.0 * error, bent) };
-    (value.value.is_finite() && value.uncertainty.is_finite()).then_some(value)
+    (value.uncertainty < value.value.abs().max(1.0)).then_some(value)
 }
 
 /// Slope and its standard error.

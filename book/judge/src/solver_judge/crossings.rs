@@ -23,8 +23,10 @@ const LONG: f64 = 35.0;
 /// to 10⁻¹¹ whose runs are not long.
 fn tolerances(ladder: &Ladder) -> [f64; 2] {
     let quick = |rung: &&Rung| rung.tolerance > 0.9e-11 && rung.a_run() < 13_000;
-    let last = ladder.rungs.iter().filter(quick).map(|rung| rung.tolerance).fold(1e-4, f64::min);
-    [1e-4, last]
+    let tolerances = || ladder.rungs.iter().filter(quick).map(|rung| rung.tolerance);
+    let loose = tolerances().filter(|it| *it < 1.1e-4).fold(0.0, f64::max);
+    let loose = if loose > 0.0 { loose } else { ladder.usual() };
+    [loose, tolerances().fold(loose, f64::min)]
 }
 
 /// What is wrong with the passages of some runs, and how far off the others are.
@@ -147,7 +149,8 @@ impl Passages {
         if missing.is_empty() && too_many == 0 {
             return;
         }
-        let alternate = missing.len() > 1 && missing.windows(2).all(|w| w[1] - w[0] == 2);
+        let half = missing.len().abs_diff(times.len() - missing.len()) < 2;
+        let alternate = half && missing.len() > 1 && missing.windows(2).all(|w| w[1] - w[0] == 2);
         self.every_second |= alternate;
         if self.counts == (0, 0) {
             self.counts = (found.len(), times.len());

@@ -56,7 +56,7 @@ pub struct Floor {
     pub tolerance: f64,
     /// The error there (rad).
     pub error: f64,
-    /// Whether all runs from there on have the same ends, to the bit: the tolerance does nothing.
+    /// Whether all runs from there on are the same, to the bit: the tolerance does nothing.
     pub idle: bool,
 }
 
@@ -103,6 +103,8 @@ impl Ladder {
             let begun = Instant::now();
             match rung(asked, tolerance) {
                 Ok(rung) => ladder.rungs.push(rung),
+                // A tolerance may be too loose for it.
+                Err(Trouble::NoAnswer(_)) if ladder.rungs.is_empty() && k + 1 < RUNGS => continue,
                 Err(Trouble::NoAnswer(why)) if !ladder.rungs.is_empty() => {
                     ladder.ended =
                         Some(format!("it refuses a tolerance of {tolerance:.0e}: {why}"));
@@ -123,6 +125,11 @@ impl Ladder {
                 break;
             }
         }
+        // What does not grow as the tolerance falls is no count of evaluations.
+        let counts = |rung: Option<&Rung>| rung.and_then(|rung| rung.evaluations);
+        if counts(ladder.rungs.last()) <= counts(ladder.rungs.first()) {
+            ladder.rungs.iter_mut().for_each(|rung| rung.evaluations = None);
+        }
         Ok(ladder)
     }
 
@@ -131,6 +138,12 @@ impl Ladder {
     fn line(&self, point: impl Fn(&Rung) -> Option<(f64, f64)>) -> Option<Power> {
         let points = self.rungs.iter().filter(|rung| rung.tells()).filter_map(point);
         let points: Vec<_> = points.collect();
+        // Of a solver that halves all its steps, many tolerances have the same steps.
+        let mut steps: Vec<f64> = points.iter().map(|point| libm::round(100.0 * point.0)).collect();
+        steps.dedup();
+        if steps.len() < FEWEST as usize + 1 {
+            return None;
+        }
         power(&points[points.len().saturating_sub(LAST)..])
     }
 
@@ -152,16 +165,19 @@ impl Ladder {
         self.line(|rung| Some((libm::log(rung.evaluations? as f64), -libm::log(rung.mean()))))
     }
 
-    /// The rungs whose runs are quick.
+    /// The rungs whose runs are quick, and the first.
     pub fn quick(&self) -> impl Iterator<Item = &Rung> {
-        self.rungs.iter().filter(|rung| rung.evaluations.is_none_or(|n| n < ENOUGH))
+        let first = self.rungs.iter().take(1);
+        let others = self.rungs.iter().skip(1);
+        first.chain(others.filter(|rung| rung.evaluations.is_none_or(|n| n < ENOUGH)))
     }
 
     /// The tolerance of the runs whose tolerance does not matter: [`USUAL`], or the smallest that
     /// can be had in time.
     pub fn usual(&self) -> f64 {
         let reached = self.quick().map(|rung| rung.tolerance).filter(|it| *it > 0.9 * USUAL);
-        reached.fold(1e-3, f64::min)
+        let loosest = self.rungs.first().map_or(1e-3, |rung| rung.tolerance);
+        reached.fold(loosest, f64::min)
     }
 
     /// Such a run, from `start`.
@@ -219,7 +235,8 @@ impl Ladder {
         let first = self.rungs.iter().position(|rung| rung.mean() < 3.0 * least)?;
         let flat = &self.rungs[first..];
         let is_flat = flat[0].tolerance / last.tolerance > 90.0;
-        let idle = flat[1..].iter().all(|rung| rung.ends == last.ends);
+        let same = |it: &Rung| it.ends == last.ends && it.evaluations == last.evaluations;
+        let idle = flat[1..].iter().all(same);
         let is_more = least > 3.0 * last.rounding;
         let floor = Floor { tolerance: flat[0].tolerance, error: least, idle };
         (is_flat && is_more && least < 0.1).then_some(floor)
@@ -236,7 +253,8 @@ fn rung(asked: Asked<'_>, tolerance: f64) -> Measured<Rung> {
         let reply = asked.reply(&request)?;
         rung.errors[k] = asked::errors(&request, &reply.states)[0];
         rung.ends[k] = reply.states[0];
-        rung.evaluations = rung.evaluations.zip(reply.evaluations).map(|(a, b)| a + b);
+        rung.evaluations =
+            rung.evaluations.zip(reply.evaluations).map(|(a, b)| a.saturating_add(b));
     }
     Ok(Rung { rounding: asked.scenes.rounding(rung.a_run()), ..rung })
 }

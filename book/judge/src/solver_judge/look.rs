@@ -4,6 +4,7 @@ use super::Found;
 use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
 use super::outputs::{in_words, rounded};
+use super::steps::hopeless;
 use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
 use pendula::Phase;
@@ -37,7 +38,7 @@ pub fn at(report: &Report, found: &Found) -> Vec<String> {
         if !left.contains(property) {
             continue;
         }
-        let Some((sentence, explains)) = cause(found) else { continue };
+        let Some((sentence, explains)) = cause(report, found) else { continue };
         left.retain(|name| !explains.contains(name));
         said.push(sentence);
     }
@@ -45,68 +46,83 @@ pub fn at(report: &Report, found: &Found) -> Vec<String> {
     said
 }
 
-/// A property, and what is to be said where it fails, if that is known.
-type Known = (&'static str, fn(&Found) -> Option<Cause>);
+/// A property, and what is to be said where it fails, if that is known; what it explains besides.
+type Known = (&'static str, fn(&Report, &Found) -> Option<Cause>);
+
+/// A sentence that is always true of a failure.
+macro_rules! says {
+    ($property:literal, $explains:expr, $sentence:expr) => {
+        ($property, |_, _| Some(($sentence.to_string(), $explains)))
+    };
+}
 
 const CAUSES: &[Known] = &[
-    ("precision", |_| Some(("States are numbers of single precision.".to_string(), END))),
-    ("tolerance", |found| other_time(found)),
-    ("estimate", |found| {
-        let hopeless = found.ladder.estimate().is_some_and(|power| power.value < 1.5);
-        let sentence = "The estimate is of first power: a weight of the embedded method is wrong.";
-        hopeless.then(|| (sentence.to_string(), &["estimate", "tolerance"][..]))
+    says!("precision", END, "States are numbers of single precision."),
+    ("tolerance", |_, found| other_time(found)),
+    ("estimate", |_, found| {
+        let sentence = "The estimate is of first power, as with a wrong weight of the embedded \
+                        method.";
+        hopeless(&found.ladder).then(|| (sentence.to_string(), &["estimate", "tolerance"][..]))
     }),
-    ("start", |_| {
-        let sentence = "Far from t = 0 it is wrong: time is in single precision, or what is \
-                        compared with it is too coarse.";
-        Some((sentence.to_string(), END))
-    }),
-    ("output", |found| found.outputs.as_ref().map(|outputs| (outputs.cause(), OUTPUT))),
-    ("tolerance", |found| found.ladder.floor().map(no_further)),
-    ("tolerance", |found| Some(uneven(&found.ladder))),
-    ("order", |found| {
-        let order = found.ladder.order()?;
+    says!(
+        "start",
+        &["start", "back", "tolerance", "order", "output"],
+        "With another t₀ it is wrong: t₀ is not heeded, or time has too few digits."
+    ),
+    ("output", |_, found| found.outputs.as_ref().map(|outputs| (outputs.cause(), OUTPUT))),
+    ("tolerance", |_, found| found.ladder.floor().map(no_further)),
+    ("order", |_, found| {
+        let order = found.ladder.order().filter(|order| order.uncertainty < 0.5)?;
         let sentence = format!(
             "The error falls with the power {} of the evaluations: a coefficient of a stage or of \
              the step is wrong, or the result of the lower order is handed on.",
             in_words(order)
         );
-        Some((sentence, &["order", "estimate"]))
+        Some((sentence, &["order", "estimate", "tolerance"]))
     }),
-    ("back", |_| {
-        let sentence = "Backwards it is wrong: look at the sign of the step where times are \
-                        compared.";
-        Some((sentence.to_string(), &["back", "rows", "crossings"]))
+    ("tolerance", |_, found| Some(uneven(&found.ladder))),
+    says!(
+        "back",
+        &["back", "rows", "crossings"],
+        "Backwards it is wrong: look at the sign of the step where times are compared."
+    ),
+    says!("rows", OUTPUT, "Rows are missing, or not those of their times: see the property rows."),
+    says!(
+        "repeatable",
+        &["free-outputs"],
+        "The same question has different answers: something is kept from one request to the \
+         next, or random."
+    ),
+    says!("free-outputs", &[], "Asking for outputs changes the run."),
+    ("crossings", |_, found| {
+        let sentence = "Every second crossing is missed.".to_string();
+        found.only_one_way.then_some((sentence, &["crossings"][..]))
     }),
-    ("rows", |_| Some(("Some times have no row, or that of another.".to_string(), OUTPUT))),
-    ("free-outputs", |_| Some(("Asking for outputs changes the run.".to_string(), &[]))),
-    ("crossings", |found| {
-        found
-            .only_one_way
-            .then(|| ("Every second crossing is missed.".to_string(), &["crossings"][..]))
-    }),
-    ("crossings", |_| {
-        let sentence = "A passage through zero is missed, or not where the run has it: it is to be \
-                        found within each step, on what outputs come from.";
-        Some((sentence.to_string(), &["crossings"]))
-    }),
-    ("many", |_| {
+    says!(
+        "crossings",
+        &[],
+        "Passages through zero are not those of the run, which are to be found within each \
+         step, on what outputs come from: see the property crossings."
+    ),
+    ("many", |report, _| {
+        let finding = report.finding("many")?;
+        let is_right = finding.values.first()? <= finding.bound.as_ref()?;
         let sentence = "The time for many outputs grows faster than their number.";
-        Some((sentence.to_string(), &[]))
+        is_right.then(|| (sentence.to_string(), &[][..]))
     }),
-    ("refusal", |_| {
-        let sentence = "A tolerance or a time that makes no sense has to end in an error.";
-        Some((sentence.to_string(), &[]))
-    }),
-    ("units", |_| {
-        let sentence = "A constant in seconds is in it: a smallest, largest or first step.";
-        Some((sentence.to_string(), &[]))
-    }),
-    ("mirror", |_| {
-        Some(("The error of a step has a sign where its size is meant.".to_string(), &[]))
-    }),
-    ("driven", |_| Some(("The stages do not know the time.".to_string(), &[]))),
-    ("repeatable", |_| Some(("Something is kept from one request to the next.".to_string(), &[]))),
+    says!("refusal", &[], "A tolerance or a time that makes no sense has to end in an error."),
+    says!("units", &[], "A constant in seconds is in it: a smallest, largest or first step."),
+    says!(
+        "mirror",
+        &[],
+        "The mirrored run is not the mirror of the run, as where the error of a step has a sign \
+         and its size is meant."
+    ),
+    says!(
+        "driven",
+        &[],
+        "Under a drive it is wrong: the force, or the times at which the stages ask for it."
+    ),
 ];
 
 /// An error that falls no more.
@@ -115,8 +131,9 @@ fn no_further(floor: Floor) -> Cause {
     let sentence = match floor.idle {
         true => format!("Below {below} the tolerance does nothing."),
         false => format!(
-            "Below {below} the error stays at {} rad, though the steps change: something in a run \
-             is not held to the tolerance, as a first step that is not checked.",
+            "Below {below} the error stays at {} rad, though the steps change: something is not \
+             held to the tolerance, as a first step that is not checked or a constant of few \
+             digits.",
             scientific(floor.error)
         ),
     };
@@ -126,10 +143,10 @@ fn no_further(floor: Floor) -> Cause {
 /// An error that does not follow the tolerance.
 fn uneven(ladder: &Ladder) -> Cause {
     let (rise, tolerance) = ladder.rise();
-    let unseen = ladder.an_evaluation().filter(|(times, _)| *times > 10.0);
+    let unseen = ladder.an_evaluation().filter(|(times, _)| *times > 20.0);
     let sentence = match (ladder.by_tolerance(), unseen) {
-        (None, _) => "At no tolerance is it right: a coefficient of a stage or of the step is \
-                      wrong, or the equation."
+        (None, _) => "At no tolerance is it right: look at the equation, at what is taken and \
+                      handed out, and at the coefficients of stages and step."
             .to_string(),
         _ if rise > 6.0 => format!(
             "At a tolerance of {} the error is {} times that at a looser one.",
@@ -137,8 +154,8 @@ fn uneven(ladder: &Ladder) -> Cause {
             rounded(rise)
         ),
         (_, Some((times, _))) => format!(
-            "A step errs by more than its tolerance (up to {} for each evaluation): an error is \
-             made that the estimate does not see, as with the slope of a refused step.",
+            "The error is up to {} tolerances for each evaluation: a step errs by more than its \
+             estimate says, as with the slope of a refused step, or is held to another tolerance.",
             rounded(times)
         ),
         (Some(line), None) => {
@@ -148,23 +165,30 @@ fn uneven(ladder: &Ladder) -> Cause {
     (sentence, END)
 }
 
-/// The end of a rotation that is the state of another time, which it has but once.
+/// The end of a rotation that is the state of another time, which it has but once; and the same of
+/// a run of half the time, as a clock that is wrong is half as wrong there.
 fn other_time(found: &Found) -> Option<Cause> {
-    let shift = shift(&found.scenes, found.ladder.rungs.last()?.ends[RUNS - 1])?;
-    let way = match shift > 0.0 {
-        true => "later: the last step runs over the end",
-        false => "earlier: a run stops before its end",
+    let Scenes { duration, .. } = found.scenes;
+    let later = shift(&found.scenes, duration, found.ladder.rungs.last()?.ends[RUNS - 1])?;
+    let halfway = shift(&found.scenes, 0.5 * duration, found.halfway?).unwrap_or(0.0);
+    let by = scientific(later.abs());
+    let sentence = if (2.0 * halfway / later - 1.0).abs() < 0.02 {
+        format!("Its time goes wrong, by {} s in {duration:.0} s.", scientific(later))
+    } else if later > 0.0 {
+        format!("At the end it has the state of {by} s later: the last step runs over the end.")
+    } else {
+        format!("At the end it has the state of {by} s earlier: a run stops before its end.")
     };
-    Some((format!("At the end it has the state of {} s {way}.", scientific(shift.abs())), END))
+    Some((sentence, END))
 }
 
 /// By how much later (s) the rotation has this state, if it has it, and if that is more than the
 /// error of a phase.
-fn shift(scenes: &Scenes, end: Phase) -> Option<f64> {
+fn shift(scenes: &Scenes, until: f64, end: Phase) -> Option<f64> {
     const LOOKS: u32 = 4000;
     let Scenes { starts, duration, .. } = *scenes;
     let motion = scenes.motion(starts[RUNS - 1]);
-    let distance = |t: f64| scenes.apart(end, motion.at(duration + t));
+    let distance = |t: f64| scenes.apart(end, motion.at(until + t));
     let at = |k: u32| duration * (2.0 * f64::from(k) / f64::from(LOOKS) - 1.0);
     let nearest = (0..=LOOKS).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
     let mut step = duration / f64::from(LOOKS);
@@ -177,5 +201,5 @@ fn shift(scenes: &Scenes, end: Phase) -> Option<f64> {
         }
         step *= 0.5;
     }
-    (distance(best) < 0.02 * distance(0.0) && best.abs() > 1e-5 * duration).then_some(best)
+    (distance(best) < 1e-6 && best.abs() > 1e-5 * duration).then_some(best)
 }

@@ -22,6 +22,7 @@ use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::Solver;
 use crate::stranger::Fault;
 use crate::{Claims, Finding, Report};
+use pendula::Phase;
 
 /// Judges `solver` by its `claims`.
 ///
@@ -71,6 +72,8 @@ struct Found {
     ladder: Ladder,
     outputs: Option<Outputs>,
     only_one_way: bool,
+    /// The state of the rotation after half the time, at the last tolerance.
+    halfway: Option<Phase>,
 }
 
 /// The report, property by property.
@@ -85,6 +88,14 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
                 claimed: claims.implied(),
                 ..Finding::from(trouble)
             });
+            // No claim is dropped in silence.
+            let order = ("order", claims.order.map(|order| order.to_string()));
+            for (name, claim) in claims.of_a_solver().into_iter().chain([order]) {
+                let why = || Trouble::NoAnswer("it does not solve".to_string());
+                if claim.is_some() {
+                    judge.note(name, claim, Err(why()))?;
+                }
+            }
             judge.report.description = "not known, as it does not solve".to_string();
             judge.report.conclude(claims.are_none());
             return Ok(judge.report);
@@ -95,6 +106,13 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
     judge.report.description = steps::description(&found.ladder);
     judge.report.look_at = look::at(&judge.report, &found);
     Ok(judge.report)
+}
+
+/// The rotation after half the time, at the last tolerance.
+fn halfway(asked: Asked<'_>, ladder: &Ladder) -> Option<Phase> {
+    let Scenes { starts, duration, .. } = asked.scenes;
+    let run = asked.scenes.run(starts[ladder::RUNS - 1], ladder.rungs.last()?.tolerance);
+    Some(asked.reply(&run.to(&[0.5 * duration])).ok()?.states[0])
 }
 
 /// The report as it grows.
@@ -165,9 +183,10 @@ impl Judge<'_> {
         self.report.evidence.outputs =
             outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
         self.report.departure = equation::departure(asked, &ladder);
+        let halfway = halfway(asked, &ladder);
         let only_one_way = passages.is_ok_and(|passages| passages.only_one_way());
         self.note("refusal", implied(), Ok(refusal::finding(asked)))?;
-        Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way })
+        Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way, halfway })
     }
 }
 
@@ -177,7 +196,6 @@ mod tests {
     use crate::solver::ByTolerance;
     use pendula::adaptive::TaylorSeries;
     use pendula::methods::{Dop853, DormandPrince};
-    use pendula::systems::Phase;
 
     /// Evenly spread numbers between 0 and 1, by the golden ratio and its kin (Roberts).
     fn spread(k: u32, j: u32) -> f64 {

@@ -58,7 +58,8 @@ impl Outputs {
             outputs.compared.push(Compared {
                 tolerance: rung.tolerance,
                 outputs: largest,
-                steps: largest_of(steps),
+                // No better than these are the ends of runs.
+                steps: largest_of(steps).min(3.0 * rung.largest()),
                 rounding: rung.rounding,
                 evaluations: rung.evaluations,
             });
@@ -111,14 +112,20 @@ impl Outputs {
 
     /// Why they are worse than the steps.
     pub fn cause(&self) -> String {
-        let what = match self.interpolated_end {
-            true => "The end of a run is interpolated, like all outputs",
-            false => "Outputs between steps are worse than the steps",
+        let power = self.power().filter(|power| power.value > 0.7);
+        let what = match (self.degree, power) {
+            (None, None) => {
+                return "Outputs between steps are worse than the steps, and as bad at small \
+                        tolerances: digits are cut off, or times."
+                    .to_string();
+            }
+            _ if self.interpolated_end => "The end of a run is interpolated, like all outputs",
+            _ => "Outputs between steps are worse than the steps",
         };
         let on = self.degree.map(|degree| format!(": they come from {}", polynomial(degree)));
-        let power =
-            self.power().map(|power| format!("with the power {} of the step", in_words(power)));
-        let falls = power.map(|power| format!("; their error falls {power}"));
+        let falls = power.map(|power| {
+            format!("; their error falls with the power {} of the step", in_words(power))
+        });
         format!("{what}{}{}.", on.unwrap_or_default(), falls.unwrap_or_default())
     }
 
