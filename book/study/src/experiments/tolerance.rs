@@ -62,7 +62,7 @@ pub fn run(solver: &dyn Solver, tolerance: f64) -> Run {
     Run { tolerance, error: errors[0], evaluations }
 }
 
-/// The geometric mean of the errors (rad) at the ends of [`SWINGS`] runs with this tolerance, from
+/// The geometric mean of the errors (rad) at the ends of `SWINGS` runs with this tolerance, from
 /// 1.25 to 2.75 rad with 0.3 rad/s.
 pub fn mean_error(solver: &dyn Solver, tolerance: f64) -> f64 {
     let logarithm = |n: u32| {
