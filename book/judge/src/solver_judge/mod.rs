@@ -208,16 +208,17 @@ mod tests {
     /// errors grow by more than the bounds say.
     fn scenes(k: u32) -> Scenes {
         let between = |j, low: f64, high: f64| low + (high - low) * spread(k, j);
-        let g_over_l = 10.0_f64.powf(between(0, -2.0, 4.0));
+        let g_over_l = libm::pow(10.0, between(0, -2.0, 4.0));
         let frequency = g_over_l.sqrt();
         let swing = |j, low, high| {
             let theta = between(j, low, high);
             // Somewhere on its way.
             let part = between(j + 1, -1.0, 1.0);
-            let height = (0.5 * theta).sin().powi(2) - (0.5 * theta * part).sin().powi(2);
+            let [top, here] = [0.5 * theta, 0.5 * theta * part].map(libm::sin);
+            let height = top * top - here * here;
             Phase { theta: theta * part, omega: 2.0 * frequency * height.max(0.0).sqrt() }
         };
-        let top = |theta: f64| 2.0 * frequency * (0.5 * theta).cos().abs();
+        let top = |theta: f64| 2.0 * frequency * libm::cos(0.5 * theta).abs();
         let theta = between(5, -3.0, 3.0);
         let speed =
             (top(theta).powi(2) + 4.0 * g_over_l * (between(6, 1.15, 2.0).powi(2) - 1.0)).sqrt();
