@@ -51,6 +51,7 @@ pub fn json(judged: &Judged<'_>) -> Value {
         "what_it_is": report.what_it_is(),
         "what_to_look_at": report.look_at,
         "properties": report.findings.iter().map(property).collect::<Vec<_>>(),
+        "text": report.to_string(),
     })
 }
 

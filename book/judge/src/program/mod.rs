@@ -4,12 +4,12 @@
 mod process;
 
 use std::ffi::OsString;
-use std::io;
+use std::io::{self, Read, Write};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Mutex, PoisonError};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use pendula::Phase;
@@ -67,18 +67,42 @@ impl Program {
         let shown = shortened(&words.join(" "), EXPLAINED);
         let conversation = Conversation::start(command, interrupted)
             .map_err(|error| format!("{shown} cannot be started: {error}"))?;
-        let mut program = Self {
-            command: shown,
-            name: String::new(),
-            patience,
-            end: Instant::now() + ALL * patience,
-            talk: Mutex::new(Ok(conversation)),
-        };
-        program.name = program.ask(HELLO, |talk| {
+        Self::greeted(shown, conversation, patience)
+    }
+
+    /// As [`start_until`](Self::start_until), of a program that runs already, and has started this
+    /// one perhaps: what it says comes from `answers`, and what it is asked goes to `questions`. It
+    /// is not ended. When this is dropped, `bye` has been written, unless nobody reads for half a
+    /// second.
+    ///
+    /// # Errors
+    /// One line that says how it answered.
+    pub fn at_streams(
+        answers: impl Read + Send + 'static,
+        questions: impl Write + Send + 'static,
+        patience: Duration,
+        interrupted: &'static AtomicBool,
+    ) -> Result<Self, String> {
+        let conversation = Conversation::of(answers, questions, None, interrupted);
+        Self::greeted("standard input".to_string(), conversation, patience)
+    }
+
+    fn greeted(command: String, talk: Conversation, patience: Duration) -> Result<Self, String> {
+        let talk = Mutex::new(Ok(talk));
+        Self { command, name: String::new(), patience, end: Instant::now(), talk }.again()
+    }
+
+    /// Greets it, again if it was before, and gives it all the time once more.
+    ///
+    /// # Errors
+    /// One line that says how it answered.
+    pub fn again(mut self) -> Result<Self, String> {
+        self.end = Instant::now() + ALL * self.patience;
+        self.name = self.ask(HELLO, |talk| {
             let line = talk.line(|| "without an answer".to_string())?;
             greeting(&line).map_err(|why| Trouble::came(&line, &why))
         })?;
-        Ok(program)
+        Ok(self)
     }
 
     /// The name that the program gives itself, which may be empty.
@@ -332,11 +356,13 @@ impl Trouble {
 /// The pipes to a program, and the threads at them.
 #[derive(Debug)]
 struct Conversation {
-    group: Group,
+    /// The process and what it says of errors, unless somebody else has started it.
+    process: Option<(Group, LastLines)>,
     /// Its standard input, which is closed when this is dropped.
     questions: Sender<String>,
+    /// Ends when all of them are written.
+    writer: JoinHandle<()>,
     answers: Receiver<Line>,
-    errors: LastLines,
     /// When the answer that is read has to be there.
     deadline: Instant,
     /// Set when the user has had enough.
@@ -356,14 +382,18 @@ impl Conversation {
         let input = child.stdin.take().ok_or_else(pipe)?;
         let output = child.stdout.take().ok_or_else(pipe)?;
         let errors = child.stderr.take().ok_or_else(pipe)?;
-        Ok(Self {
-            group,
-            questions: process::writer(input),
-            answers: process::lines(output),
-            errors: LastLines::of(errors),
-            deadline: Instant::now(),
-            interrupted,
-        })
+        Ok(Self::of(output, input, Some((group, LastLines::of(errors))), interrupted))
+    }
+
+    fn of(
+        answers: impl Read + Send + 'static,
+        questions: impl Write + Send + 'static,
+        process: Option<(Group, LastLines)>,
+        interrupted: &'static AtomicBool,
+    ) -> Self {
+        let (questions, writer) = process::writer(questions);
+        let answers = process::lines(answers);
+        Self { process, questions, writer, answers, deadline: Instant::now(), interrupted }
     }
 
     /// An error if the program has said something that nobody has asked for.
@@ -415,11 +445,19 @@ impl Conversation {
 
     /// Ends the program, and says what happened and what it wrote on standard error.
     fn inquest(&mut self, trouble: Trouble, waited: &str) -> String {
-        if matches!(trouble, Trouble::Ended(_)) {
+        if self.process.is_some() && matches!(trouble, Trouble::Ended(_)) {
             self.wait_for_end(GRACE);
         }
-        let by_itself = self.group.has_ended();
-        let status = self.group.end();
+        let Some((group, errors)) = &mut self.process else {
+            return match trouble {
+                Trouble::Came(what) => what,
+                Trouble::Ended(so_far) => format!("it was closed, {so_far}"),
+                Trouble::Late(so_far) => late(waited, &so_far),
+                Trouble::Interrupted => INTERRUPTED.to_string(),
+            };
+        };
+        let by_itself = group.has_ended();
+        let status = group.end();
         let mut happened = match (trouble, status) {
             (Trouble::Came(what), _) => what,
             (Trouble::Ended(so_far), Ok(status)) if by_itself => {
@@ -429,28 +467,38 @@ impl Conversation {
             (Trouble::Late(so_far), Ok(status)) if by_itself => {
                 format!("it ended ({status}), but not what it had started, {so_far}")
             }
-            (Trouble::Late(so_far), _) => {
-                format!("given up after {waited}, {so_far} (are its answers flushed?)")
-            }
-            (Trouble::Interrupted, _) => "interrupted".to_string(),
+            (Trouble::Late(so_far), _) => late(waited, &so_far),
+            (Trouble::Interrupted, _) => INTERRUPTED.to_string(),
         };
         let lines: Vec<String> =
-            self.errors.at_the_end().iter().map(|x| shortened(x, EXPLAINED)).collect();
+            errors.at_the_end().iter().map(|x| shortened(x, EXPLAINED)).collect();
         if !lines.is_empty() {
             happened += &format!("; its standard error ends \"{}\"", lines.join(" | "));
         }
         happened
     }
 
-    /// Waits until the program has ended, for at most so long.
+    /// Waits until the program has ended, for at most so long; or, if that is not ours to wait for,
+    /// until all questions are written.
     fn wait_for_end(&mut self, at_most: Duration) {
         const LISTEN: Duration = Duration::from_millis(5);
         let deadline = Instant::now() + at_most;
-        while !self.group.has_ended() && Instant::now() < deadline {
+        let mut has_ended = || match &mut self.process {
+            Some((group, _)) => group.has_ended(),
+            None => self.writer.is_finished(),
+        };
+        while !has_ended() && Instant::now() < deadline {
             thread::sleep(LISTEN);
         }
     }
 }
+
+/// What is said of a program that was waited for so long.
+fn late(waited: &str, so_far: &str) -> String {
+    format!("given up after {waited}, {so_far} (are its answers flushed?)")
+}
+
+const INTERRUPTED: &str = "interrupted";
 
 impl Drop for Conversation {
     fn drop(&mut self) {

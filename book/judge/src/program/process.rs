@@ -6,7 +6,7 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, ExitStatus};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 /// A process with those that it has started. Dropped, it is ended.
@@ -132,16 +132,16 @@ pub fn lines(input: impl Read + Send + 'static) -> Receiver<Line> {
 
 /// Writes the lines that are sent to `output`, in a thread: a program that does not read must not
 /// keep anybody waiting. It ends when the sender is dropped, or the program has ended.
-pub fn writer(mut output: impl Write + Send + 'static) -> Sender<String> {
+pub fn writer(mut output: impl Write + Send + 'static) -> (Sender<String>, JoinHandle<()>) {
     let (sender, receiver) = mpsc::channel::<String>();
-    thread::spawn(move || {
+    let thread = thread::spawn(move || {
         for line in receiver {
             if output.write_all(line.as_bytes()).and_then(|()| output.flush()).is_err() {
                 break;
             }
         }
     });
-    sender
+    (sender, thread)
 }
 
 /// The last lines of what a program writes on standard error.

@@ -185,7 +185,8 @@ impl Judge<'_> {
         self.report.departure = equation::departure(asked, &ladder);
         let halfway = halfway(asked, &ladder);
         let only_one_way = passages.is_ok_and(|passages| passages.only_one_way());
-        self.note("refusal", implied(), Ok(refusal::finding(asked)))?;
+        let refusal = refusal::finding(asked);
+        self.note("refusal", if_had(&refusal), refusal)?;
         Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way, halfway })
     }
 }

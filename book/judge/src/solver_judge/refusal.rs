@@ -2,7 +2,8 @@
 
 use super::asked::{self, Asked, Scenes};
 use crate::judge::report::{Finding, scientific};
-use crate::judge::verdict::{Trouble, Verdict};
+use crate::judge::verdict::{Measured, Trouble, Verdict};
+use crate::stranger::Fault;
 
 /// A tolerance, and the end of a run in units of its duration.
 const IMPOSSIBLE: [(&str, f64, f64); 4] = [
@@ -16,12 +17,18 @@ const IMPOSSIBLE: [(&str, f64, f64); 4] = [
 const WRONG: f64 = 1e-3;
 
 /// Whether the impossible ends in an error. It is asked for at last: a program that hangs is ended,
-/// and that is what is found.
-pub fn finding(asked: Asked<'_>) -> Finding {
+/// and that is what is found. Who calls it unsupported need not be asked for it.
+pub fn finding(asked: Asked<'_>) -> Measured<Finding> {
     let Scenes { starts, duration, .. } = asked.scenes;
+    let request =
+        |tolerance, until: f64| asked.scenes.run(starts[0], tolerance).to(&[until * duration]);
+    let [(_, tolerance, until), ..] = IMPOSSIBLE;
+    if asked.solver.solve(&request(tolerance, until)) == Err(Fault::Unsupported) {
+        return Err(Trouble::NoAnswer("it is not to be asked for the impossible".to_string()));
+    }
     let mut wrong = Vec::new();
     for (name, tolerance, until) in IMPOSSIBLE {
-        let request = asked.scenes.run(starts[0], tolerance).to(&[until * duration]);
+        let request = request(tolerance, until);
         let what = match asked.reply(&request) {
             Ok(_) if until.is_infinite() => "it has a state".to_string(),
             Ok(reply) => match asked::errors(&request, &reply.states)[0] {
@@ -31,6 +38,10 @@ pub fn finding(asked: Asked<'_>) -> Finding {
                 _ => continue,
             },
             Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => continue,
+            Err(trouble @ Trouble::Broken(_)) => {
+                wrong.push(format!("{name}: {trouble}"));
+                break;
+            }
             Err(trouble) => trouble.to_string(),
         };
         wrong.push(format!("{name}: {what}"));
@@ -40,5 +51,5 @@ pub fn finding(asked: Asked<'_>) -> Finding {
         false => (Verdict::Fails, wrong.join("; ")),
     };
     let why = format!("a state that is off by more than {WRONG} rad is a wrong answer");
-    Finding { measured, why, ..Finding::number(wrong.len() as f64, "", 0.0, verdict) }
+    Ok(Finding { measured, why, ..Finding::number(wrong.len() as f64, "", 0.0, verdict) })
 }

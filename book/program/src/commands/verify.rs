@@ -1,6 +1,7 @@
 //! `pendula verify`: a program that is not ours, judged against what it claims.
 
 use std::ffi::OsString;
+use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
@@ -36,6 +37,10 @@ pub struct Arguments {
     /// Exit with status 0 unless a claim fails, even if one could not be measured or decided
     #[arg(long)]
     lenient: bool,
+    /// Ask on standard output, and be answered on standard input, by whoever has started this: for
+    /// a wrapper in another language. Behind bye comes the report
+    #[arg(long, conflicts_with_all = ["program", "example"])]
+    stdio: bool,
     /// Also write the report, with its figures, to this file, as a page to read offline
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -45,7 +50,7 @@ pub struct Arguments {
     example: Option<Language>,
     /// The program to be judged, and its arguments. It may know pendulum, solve, or both; if both,
     /// it is started once for each
-    #[arg(last = true, required_unless_present = "example", value_name = "PROGRAM")]
+    #[arg(last = true, required_unless_present_any = ["example", "stdio"], value_name = "PROGRAM")]
     program: Vec<OsString>,
 }
 
@@ -67,10 +72,14 @@ pub enum ReportFormat {
 /// a solver that chooses its steps, Dormand and Prince's method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Language {
-    /// Python 3
+    /// Python 3, with the package pendula: a function that is judged
     Python,
+    /// Python 3, without the package: a program
+    PythonProgram,
     /// JavaScript, for Node.js
     Javascript,
+    /// JavaScript, for Node.js: a wrapper of the judge, with a function that is judged
+    JavascriptWrapper,
     /// C
     C,
     /// Rust, a single file
@@ -88,6 +97,8 @@ impl Language {
     const fn program(self) -> &'static str {
         match self {
             Self::Python => include_str!("../verify/examples/verlet.py"),
+            Self::PythonProgram => include_str!("../verify/examples/program.py"),
+            Self::JavascriptWrapper => include_str!("../verify/examples/wrapper.js"),
             Self::Javascript => include_str!("../verify/examples/verlet.js"),
             Self::C => include_str!("../verify/examples/verlet.c"),
             Self::Rust => include_str!("../verify/examples/verlet.rs"),
@@ -119,15 +130,30 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
     let patience = Duration::from_secs_f64(seconds);
-    let start = || Program::start_until(&arguments.program, patience, interrupt::flag());
-    let judged = judged(start, &arguments.claims);
+    let judged = match streams(arguments)? {
+        Some((answers, questions)) => {
+            let program = Program::at_streams(answers, questions, patience, interrupt::flag());
+            program.and_then(|program| judged(program, Program::again, &arguments.claims))
+        }
+        None => {
+            let start = || Program::start_until(&arguments.program, patience, interrupt::flag());
+            let anew = |program| {
+                drop(program);
+                start()
+            };
+            start().and_then(|program| judged(program, anew, &arguments.claims))
+        }
+    };
     // Here the program has been ended, which an interruption does not reach by itself.
     if interrupt::flag().load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));
     }
     let (report, name) = judged.map_err(Failure::Refused)?;
     let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
-    let command = words.join(" ");
+    let command = match arguments.stdio {
+        true => "standard input".to_string(),
+        false => words.join(" "),
+    };
     let judged =
         Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
     if let Some(mut destination) = destination {
@@ -142,12 +168,25 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     answer(report.verdict, arguments.lenient, printed)
 }
 
-/// The report on the program that `start` starts, and the name that it gives itself.
+/// Where answers come from and questions go, if not to a program. Both are read and written by
+/// threads: a copy of standard output, since the one of this process is locked.
+fn streams(arguments: &Arguments) -> Result<Option<(io::Stdin, File)>, Failure> {
+    #[cfg(unix)]
+    let copy = || std::os::fd::AsFd::as_fd(&io::stdout()).try_clone_to_owned();
+    #[cfg(windows)]
+    let copy = || std::os::windows::io::AsHandle::as_handle(&io::stdout()).try_clone_to_owned();
+    let of = || copy().map(|output| Some((io::stdin(), File::from(output))));
+    let streams = if arguments.stdio { of() } else { Ok(None) };
+    streams.map_err(|error| Failure::refused(format!("standard output cannot be written: {error}")))
+}
+
+/// The report on `program`, and the name that it gives itself. For what it was not asked yet it is
+/// had `anew`.
 fn judged(
-    start: impl Fn() -> Result<Program, String>,
+    program: Program,
+    anew: impl FnOnce(Program) -> Result<Program, String>,
     claims: &Claims,
 ) -> Result<(Report, String), String> {
-    let program = start()?;
     let name = program.name().to_string();
     let known = [program.knows_pendulum().map_err(why)?, program.knows_solve().map_err(why)?];
     let report = match known {
@@ -159,8 +198,7 @@ fn judged(
         return Ok((report, name));
     }
     // Again, with as much time: the first may have been ended by numbers that overflow.
-    drop(program);
-    let solver = try_judge_solver(&start()?, claims.clone()).map_err(why)?;
+    let solver = try_judge_solver(&anew(program)?, claims.clone()).map_err(why)?;
     Ok((report.joined_with_solver(solver), name))
 }
 

@@ -61,7 +61,7 @@ fn is_stormer_verlet(words: &[&str]) {
 /// wrongly, or is another method; a number printed with fewer digits than it has; a warning of the
 /// compiler.
 #[rstest]
-#[case::python("python", "python3", "python3 FILE")]
+#[case::python("python-program", "python3", "python3 FILE")]
 #[case::javascript("javascript", "node", "node FILE")]
 #[case::c("c", "cc", "cc -std=c99 -Wall -Wextra -Werror -O2 -o PROGRAM -x c FILE -lm")]
 #[case::rust("rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
@@ -197,6 +197,29 @@ fn an_example_is_a_solver(#[case] language: &str, #[case] tool: &str, #[case] li
     if there_is(tool) {
         with_example(language, line, is_dormand_prince);
     }
+}
+
+/// Catches: a wrapper that does not run, loses the report or the verdict, or waits for ever.
+#[rstest]
+#[case::right("h / 2 * force", "Every claim holds.", 0)]
+#[case::wrong("h / 3 * force", "Claims fail: equation, order.", 1)]
+#[case::at_fault("h / 0 * force", "", 1)]
+fn the_example_of_a_wrapper_judges(#[case] kick: &str, #[case] last: &str, #[case] status: i32) {
+    if !there_is("node") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("wrapper.js");
+    let source = printed(&["verify", "--example", "javascript-wrapper"]);
+    fs::write(&file, source.replace("h / 2 * force", kick)).unwrap();
+    let others = std::env::var_os("PATH").unwrap();
+    let folder = Path::new(PENDULA).parent().unwrap().to_path_buf();
+    let path = std::env::join_paths([folder].into_iter().chain(std::env::split_paths(&others)));
+    let output = Command::new("node").arg(&file).env("PATH", path.unwrap()).output().unwrap();
+    assert_eq!(output.status.code(), Some(status), "{output:?}");
+    let report = String::from_utf8(output.stdout).unwrap();
+    let told = report.trim_end().lines().last().unwrap_or_default();
+    assert!(told.starts_with(last) && (last.is_empty() == told.is_empty()), "{report}");
 }
 
 /// Catches: a line of megabytes that is cut on its way, or whose answer is.

@@ -6,6 +6,7 @@ mod faults;
 mod languages;
 mod reports;
 mod solvers;
+mod stdio;
 
 use std::ffi::OsString;
 use std::time::Duration;
