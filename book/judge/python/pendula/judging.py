@@ -1,0 +1,389 @@
+"""The program `pendula`, started and answered, and what it reports."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import html
+import importlib.metadata
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Callable
+
+from .answers import Answers, Crossings, Method, NotJudged, RateMethod, Run, Solver
+from .equation import State
+
+
+@dataclass(frozen=True)
+class Property:
+    """A property, as it was measured."""
+
+    #: Its name.
+    name: str
+    #: The claim; ``"implied"`` if it comes with every claim; None if nothing is claimed.
+    claimed: str | None
+    #: ``"holds"``, ``"fails"``, ``"unclear"``, ``"not measured"`` or ``"unclaimed"``.
+    verdict: str
+    #: In words.
+    measured: str
+    #: The number, or each of several; None if there is none.
+    value: float | list[float | None] | None
+    #: Of the value; empty for a pure number.
+    unit: str
+    #: What the value may be at most, in size; None if no one number decides.
+    bound: float | None
+    #: How it was measured, or what follows.
+    why: str
+
+
+@dataclass(frozen=True)
+class Report:
+    """What the judge found. ``print(report)`` prints all of it, and a notebook shows its page.
+
+    ``report["order"]`` is one of its properties.
+    """
+
+    #: On all claims: ``"holds"``, ``"fails"``, ``"unclear"``, ``"not measured"`` or
+    #: ``"unclaimed"``.
+    verdict: str
+    #: The verdict in a sentence.
+    summary: str
+    #: The name of the method that it is, as `pendula methods` has it; None if it is none of them.
+    method: str | None
+    #: The name of the known mistake that it makes, if it is one.
+    mistake: str | None
+    #: What it is, in words.
+    what_it_is: str
+    #: Where something fails, at most three sentences that say why, the main cause first.
+    look_at: list[str]
+    #: Property by property.
+    properties: list[Property]
+    #: What was claimed.
+    claims: str
+    #: The whole report, as the command `pendula verify` prints it.
+    text: str = field(repr=False)
+    #: The report as a page to keep.
+    html: str = field(repr=False)
+    #: The report as the command prints it with ``--format json``.
+    json: dict[str, Any] = field(repr=False)
+    #: The exceptions with which questions were refused, each with its question.
+    refused: list[tuple[str, Exception]] = field(repr=False)
+
+    @property
+    def holds(self) -> bool:
+        """Whether something is claimed, and each claim was measured and holds."""
+        return self.verdict == "holds"
+
+    def __getitem__(self, name: str) -> Property:
+        for one in self.properties:
+            if one.name == name:
+                return one
+        raise KeyError(f"{name}; there are {', '.join(one.name for one in self.properties)}")
+
+    def check(self) -> None:
+        """Raises AssertionError, with what to look at, unless every claim was measured and holds;
+        ValueError if nothing is claimed."""
+        if self.holds:
+            return
+        if not self.claims:
+            raise ValueError("nothing is claimed, so there is nothing to check")
+        wrong = [
+            f"{it.name} {it.verdict}: {it.why if it.verdict == 'not measured' else it.measured}"
+            for it in self.properties
+            if it.claimed is not None and it.verdict != "holds"
+        ]
+        lines = [self.summary, *(f"look at: {line}" for line in self.look_at), *wrong]
+        raise AssertionError("\n  ".join(lines)) from (self.refused[0][1] if self.refused else None)
+
+    def __str__(self) -> str:
+        return self.text.rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self.html, quote=True)
+        return (
+            f'<iframe srcdoc="{page}" title="{html.escape(self.summary, quote=True)}" '
+            'style="width: 100%; height: 40em; border: 1px solid #8888"></iframe>'
+        )
+
+
+def judge(
+    method: Method, claims: str = "", *, patience: float = 10.0, name: str | None = None
+) -> Report:
+    """Judges a method of equal steps.
+
+    ``method(force, theta, omega, h)`` returns the state (theta, omega) a step of h later.
+    ``force(theta)`` is the angular acceleration. It counts its evaluations. h is negative for the
+    way back.
+
+    >>> import pendula
+    >>> def verlet(force, theta, omega, h):
+    ...     omega += h / 2 * force(theta)
+    ...     theta += h * omega
+    ...     return theta, omega + h / 2 * force(theta)
+    >>> report = pendula.judge(verlet, "order=2 symplectic symmetric")
+    >>> report.method, report.holds, report["evaluations"].value
+    ('stormer-verlet', True, 2.0)
+
+    A method that knows the time is ``method(force, theta, omega, t, h)``, and asks for
+    ``force(theta, t)``; then its steps are judged with a drive too. One with a memory yields the
+    state after each step, as long as it is asked to. Here the force is kept:
+
+    >>> def verlet(force, theta, omega, t, h):
+    ...     kick = h / 2 * force(theta, t)
+    ...     while True:
+    ...         theta += h * (omega + kick)
+    ...         t, omega = t + h, omega + kick
+    ...         kick = h / 2 * force(theta, t)
+    ...         omega += kick
+    ...         yield theta, omega
+    >>> report = pendula.judge(verlet, "order=2 symplectic symmetric evaluations=1")
+    >>> report.check()
+    >>> report["stage-times"].verdict
+    'holds'
+
+    It may also be a class that is made as ``method(force, theta, omega, h)``, and whose ``step()``
+    returns the next state.
+
+    The claims are those of `pendula verify`: order=P, symplectic, symmetric, bounded-energy,
+    evaluations=N (a step), name=METHOD. Without any the method is named and nothing is held against
+    it. ``patience`` is how long an answer may take (s).
+
+    An exception ends it, as NotJudged, if it tells a mistake in the function, as NameError does, or
+    if no question was answered yet. Any other, such as OverflowError, or a ValueError for a
+    negative h, refuses one question; it is kept in ``report.refused``.
+    """
+    return judged(Answers(named(method, name), method=method), claims, patience)
+
+
+def judge_rate(
+    method: RateMethod,
+    claims: str = "",
+    *,
+    state: Callable[[list[float]], Any] = State,
+    patience: float = 10.0,
+    name: str | None = None,
+) -> Report:
+    """Judges a method of equal steps that is written for first-order equations.
+
+    ``method(rate, t, y, h)`` returns y a step of h later; ``rate(t, y)`` is its derivative. One
+    with a memory yields, or is a class, as with :func:`judge`.
+
+    >>> import pendula
+    >>> def midpoint(rate, t, y, h):
+    ...     return y + h * rate(t + h / 2, y + h / 2 * rate(t, y))
+    >>> pendula.judge_rate(midpoint, "order=2 evaluations=2").check()
+
+    y is a :class:`State`, with which this can be written; with ``state=numpy.array`` it is an
+    array.
+    """
+    return judged(Answers(named(method, name), rate=method, state=state), claims, patience)
+
+
+def judge_solver(
+    solver: Solver,
+    claims: str = "",
+    crossings: Crossings | None = None,
+    *,
+    state: Callable[[list[float]], Any] = list,
+    impossible: bool = False,
+    patience: float = 10.0,
+    name: str | None = None,
+) -> Report:
+    """Judges a solver that chooses its steps by a tolerance.
+
+    ``solver(rate, y0, times, tolerance)`` returns the states at ``times[1:]``: of the motion that
+    is at ``y0 = [theta, omega]`` at ``times[0]``. The times increase, or decrease.
+    ``rate(t, y)`` is ``[omega, acceleration]``, and counts itself. The tolerance is relative, and
+    absolute for theta; for omega it is larger by the frequency: ``rate.absolute`` has both.
+
+    ``crossings(rate, y0, [t0, t1], tolerance)``, if there is one, returns t, theta and omega at
+    each passage of theta through zero.
+
+    >>> import pendula
+    >>> def euler(rate, y0, times, tolerance):      # no solver: the tolerance changes nothing
+    ...     (theta, omega), found = y0, []
+    ...     for t, end in zip(times, times[1:]):
+    ...         n = int(abs(end - t) / 0.01) + 1
+    ...         for i in range(n):
+    ...             theta, omega = theta + (end - t) / n * omega, \\
+    ...                 omega + (end - t) / n * rate(t, [theta, omega])[1]
+    ...         found.append((theta, omega))
+    ...     return found
+    >>> pendula.judge_solver(euler, "order=1").holds
+    False
+
+    The claims are those of `pendula verify` for solvers: order=P, estimate=Q, free-outputs,
+    crossings. Of exceptions the same is true as with :func:`judge`.
+
+    A solver should refuse a tolerance that is zero, negative or NaN. With ``impossible=True`` it is
+    asked for that too; many are caught in it until the patience ends.
+    """
+    answers = Answers(named(solver, name), solver=solver, crossings=crossings, state=state,
+                      impossible=impossible)  # fmt: skip
+    return judged(answers, claims, patience)
+
+
+def serve(
+    method: Method | None = None,
+    *,
+    rate: RateMethod | None = None,
+    run: Run | None = None,
+    solver: Solver | None = None,
+    crossings: Crossings | None = None,
+    state: Callable[[list[float]], Any] = list,
+    driven: bool = True,
+    name: str | None = None,
+) -> None:
+    """Answers `pendula verify` on standard input and output, so that a script is a program for it.
+
+    The functions are those of :func:`judge`, :func:`judge_rate` and :func:`judge_solver`; and
+    ``run(rate, y, h, steps, every)``, for a library that takes many steps in one call, which
+    returns the states after every, 2 every, … steps. What is not ``driven`` knows no force that
+    depends on the time.
+
+    What the functions print goes to standard error.
+    """
+    function = method or rate or run or solver
+    if function is None:
+        raise TypeError("there is nothing to serve: a method or a solver is needed")
+    answers = Answers(named(function, name), method=method, rate=rate, run=run, solver=solver,
+                      crossings=crossings, state=state, driven=driven)  # fmt: skip
+    sys.stdout.flush()
+    with os.fdopen(os.dup(1), "w", encoding="utf-8", newline="\n") as told:
+        os.dup2(2, 1)
+        for line in sys.stdin:
+            if line.strip() == "bye":
+                break
+            if line.strip():
+                said = answers.to(line.strip())
+                told.write("\n".join(said) + "\n")
+                told.flush()
+
+
+def named(function: object, name: str | None) -> str:
+    """The name that is given, or that of the function."""
+    return name or str(getattr(function, "__name__", type(function).__name__))
+
+
+def program() -> str:
+    """The path of `pendula`: ``PENDULA_PROGRAM``, or what came with this package, or another."""
+    asked = os.environ.get("PENDULA_PROGRAM")
+    if asked:
+        return asked
+    try:
+        files = importlib.metadata.files("pendula") or []
+    except importlib.metadata.PackageNotFoundError:
+        files = []
+    for file in files:
+        if file.name in ("pendula", "pendula.exe"):
+            path = Path(str(file.locate())).resolve()
+            if path.is_file():
+                return str(path)
+    found = shutil.which("pendula")
+    if found is None:
+        raise FileNotFoundError("the program pendula is not there: is the package installed?")
+    return found
+
+
+class TooLate(BaseException):
+    """The judge waits no longer. (No Exception, so that the function does not catch it.)"""
+
+
+class Waiting:
+    """While a function computes: ends it when the judge, a process, waits no longer.
+
+    The exception is set in the thread of the function. What runs outside of Python, in a library,
+    ends first."""
+
+    def __init__(self, judge: subprocess.Popen[str]) -> None:
+        self._judge = judge
+        self._thread = threading.get_ident()
+        self._lock = threading.Lock()
+        self._computes = self._was_ended = False
+        threading.Thread(target=self._watch, daemon=True).start()
+
+    def _watch(self) -> None:
+        self._judge.wait()
+        with self._lock:
+            if self._computes:
+                self._was_ended = True
+                set_exception = ctypes.pythonapi.PyThreadState_SetAsyncExc
+                set_exception(ctypes.c_ulong(self._thread), ctypes.py_object(TooLate))
+
+    def __enter__(self) -> None:
+        with self._lock:
+            self._computes = True
+
+    def __exit__(self, kind: object, fault: object, trace: TracebackType | None) -> None:
+        with self._lock:
+            self._computes = False
+        # It comes between two instructions, and may not have come yet.
+        while self._was_ended and kind is not TooLate:
+            time.sleep(0.001)
+
+
+def judged(answers: Answers, claims: str, patience: float) -> Report:
+    """Starts the program, answers it, and reads its report."""
+    with tempfile.TemporaryDirectory() as folder:
+        page = os.path.join(folder, "report.html")
+        words = [program(), "verify", "--stdio", "--format", "json", "--report", page]
+        words += ["--patience", repr(float(patience)), "--claims", claims]
+        pipe = subprocess.PIPE
+        judge = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8")
+        with judge:
+            try:
+                report = answered(judge, answers)
+            except BaseException:
+                judge.kill()
+                raise
+        if judge.returncode not in (0, 1):
+            raise NotJudged(report)
+        found = json.loads(report)
+        text = Path(page).read_text(encoding="utf-8")
+    return Report(
+        verdict=found["verdict"],
+        summary=found["summary"],
+        method=found["identity"],
+        mistake=found["mistake"],
+        what_it_is=found["what_it_is"],
+        look_at=found["what_to_look_at"],
+        properties=[Property(**one) for one in found["properties"]],
+        claims=found["claims"],
+        text=found["text"],
+        html=text,
+        json=found,
+        refused=answers.refused,
+    )
+
+
+BYE = "bye\n"
+
+
+def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
+    """Answers to the end, and returns the report; or the line that says why there is none."""
+    assert judge.stdin and judge.stdout and judge.stderr
+    waiting = Waiting(judge)
+    with contextlib.suppress(BrokenPipeError, TooLate):
+        for line in judge.stdout:
+            if line == BYE:
+                break
+            with waiting:
+                said = answers.to(line.rstrip("\n"))
+            judge.stdin.write("\n".join(said) + "\n")
+            judge.stdin.flush()
+    report = judge.stdout.read()
+    # If it waits no longer, that has not been read.
+    report = report.removeprefix(BYE)
+    told = judge.stderr.read().strip()
+    if judge.wait() in (0, 1):
+        return report
+    return told.replace("pendula: standard input: ", "", 1)

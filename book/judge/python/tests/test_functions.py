@@ -1,0 +1,292 @@
+"""The forms of a function, and what happens where one fails."""
+
+import inspect
+import os
+import re
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pendula
+import pytest
+
+LEAPFROG = "order=2 symplectic symmetric name=stormer-verlet"
+
+
+def verlet(force, theta, omega, h):
+    omega += h / 2 * force(theta)
+    theta += h * omega
+    return theta, omega + h / 2 * force(theta)
+
+
+def timed(force, theta, omega, t, h):
+    omega += h / 2 * force(theta, t)
+    theta += h * omega
+    return theta, omega + h / 2 * force(theta, t + h)
+
+
+def generator(force, theta, omega, h):
+    kick = h / 2 * force(theta)
+    while True:
+        omega += kick
+        theta += h * omega
+        kick = h / 2 * force(theta)
+        omega += kick
+        yield theta, omega
+
+
+class Stepper:
+    def __init__(self, force, theta, omega, h):
+        self.force, self.theta, self.omega, self.h = force, theta, omega, h
+        self.kick = h / 2 * force(theta)
+
+    def step(self):
+        self.omega += self.kick
+        self.theta += self.h * self.omega
+        self.kick = self.h / 2 * self.force(self.theta)
+        self.omega += self.kick
+        return self.theta, self.omega
+
+
+def rk4(rate, t, y, h):
+    k1 = rate(t, y)
+    k2 = rate(t + h / 2, y + h / 2 * k1)
+    k3 = rate(t + h / 2, y + h / 2 * k2)
+    k4 = rate(t + h, y + h * k3)
+    return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+
+
+@pytest.mark.parametrize(
+    ("method", "claims"),
+    [
+        (verlet, f"{LEAPFROG} evaluations=2"),
+        (timed, f"{LEAPFROG} evaluations=2"),
+        (generator, f"{LEAPFROG} evaluations=1"),
+        (Stepper, f"{LEAPFROG} evaluations=1"),
+    ],
+)
+def test_each_form_is_the_method(method, claims):
+    """Catches: a form that is taken for another; a state of one question in the next; a count that
+    misses the force at the start, or is carried on; a time that is not that of the step."""
+    report = pendula.judge(method, claims)
+    report.check()
+    assert report["stage-times"].verdict == ("holds" if method is timed else "not measured")
+
+
+def test_a_method_of_first_order_has_states_or_arrays():
+    """Catches: a time that is wrong in a drive; arithmetic of states that is another than that of
+    arrays."""
+    numpy = pytest.importorskip("numpy")
+    claims = "order=4 name=rk4 evaluations=4"
+    reports = [pendula.judge_rate(rk4, claims, state=it) for it in (pendula.State, numpy.array)]
+    for report in reports:
+        report.check()
+        assert report["stage-times"].verdict == "holds"
+    assert reports[0]["order"] == reports[1]["order"]
+
+
+def test_a_report_has_what_the_command_has():
+    """Catches: a report that says less, or something else, than the command."""
+    report = pendula.judge(verlet, "order=3")
+    assert (report.holds, report.verdict, report.method) == (False, "fails", "stormer-verlet")
+    assert report["order"].verdict == "fails" and "2.00" in report["order"].measured
+    assert str(report).startswith("property") and str(report).endswith("A claim fails: order.")
+    assert "<svg" in report.html and "iframe" in report._repr_html_()
+    with pytest.raises(KeyError, match="no-such; there are equation, output, order"):
+        report["no-such"]
+    with pytest.raises(ValueError, match="nothing is claimed"):
+        pendula.judge(verlet).check()
+    with pytest.raises(pendula.NotJudged, match="order=two"):
+        pendula.judge(verlet, "order=two")
+
+
+def failing(force, theta, omega, h):
+    return theta + h * omega, omgea  # noqa: F821
+
+
+def nothing(force, theta, omega, h):
+    force(theta)
+
+
+def three(force, theta, omega, h):
+    return theta, omega, 0.0
+
+
+def short(force, theta, omega, h):
+    yield theta, omega
+
+
+@pytest.mark.parametrize(
+    ("method", "because"),
+    [
+        (failing, "failing raised NameError: name 'omgea' is not defined\n"
+                  "The question was: pendulum 9.81 1.0 0.0 0.01 200 200"),
+        (nothing, "nothing returned None: not a pair of numbers"),
+        (three, "not a pair of numbers"),
+        (short, "short yielded 1 states of 200"),
+    ],
+)  # fmt: skip
+def test_a_mistake_ends_it_with_its_own_traceback(method, because):
+    """Catches: a mistake that becomes a verdict; one whose line is not told."""
+    with pytest.raises(pendula.NotJudged, match=re.escape(because)) as told:
+        pendula.judge(method, "order=2")
+    if method is failing:
+        cause = told.value.__cause__
+        assert isinstance(cause, NameError)
+        trace = cause.__traceback__
+        while trace.tb_next:
+            trace = trace.tb_next
+        assert trace.tb_frame.f_code.co_name == "failing"
+
+
+def slow_ones(force, theta, omega, h):
+    if force.g_over_l > 100:
+        raise ValueError("too fast")
+    return verlet(force, theta, omega, h)
+
+
+def test_a_question_may_be_refused():
+    """Catches: a refusal that ends it all, or is left out of the report or of the check."""
+    report = pendula.judge(slow_ones, "order=2")
+    assert (report.verdict, report["order"].verdict) == ("not measured", "holds")
+    assert report["units"].why == "ValueError: too fast"
+    question, refusal = report.refused[0]
+    assert question.startswith("pendulum ") and isinstance(refusal, ValueError)
+    with pytest.raises(AssertionError, match="units not measured: ValueError: too fast") as told:
+        report.check()
+    assert told.value.__cause__ is refusal
+
+
+def explodes(force, theta, omega, h):
+    return theta + h * omega**3, omega + h * theta**5
+
+
+def test_numbers_that_overflow_are_told():
+    """Catches: an overflow, which Python raises, that ends it as a mistake does."""
+    report = pendula.judge(explodes, "order=1")
+    assert not report.holds
+    assert isinstance(report.refused[0][1], OverflowError)
+
+
+def endless(force, theta, omega, h):
+    while True:
+        pass
+
+
+@pytest.mark.parametrize("in_a_thread", [False, True])
+def test_patience_ends(in_a_thread):
+    """Catches: a function that hangs and keeps its caller; an exception that comes later, to what
+    is not to blame."""
+    told = []
+
+    def ask():
+        with pytest.raises(pendula.NotJudged, match="given up after"):
+            pendula.judge(endless, patience=0.5)
+        told.append(pendula.judge(verlet, LEAPFROG).holds)
+
+    if in_a_thread:
+        thread = threading.Thread(target=ask)
+        thread.start()
+        thread.join()
+    else:
+        ask()
+    assert told == [True]
+
+
+def test_threads_judge_side_by_side():
+    """Catches: a state that judges share."""
+    held = []
+    methods = [(verlet, LEAPFROG), (generator, LEAPFROG), (Stepper, LEAPFROG)]
+    threads = [
+        threading.Thread(target=lambda it=it: held.append(pendula.judge(*it).holds))
+        for it in methods
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert held == [True] * 3
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has another control-C")
+def test_control_c_ends_at_once(tmp_path):
+    """Catches: an interrupt that waits for the judge, or is taken for a refusal."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import pendula, sys, time\n"
+        "def slow(force, theta, omega, h):\n"
+        "    print('ready', flush=True)\n"
+        "    time.sleep(1000)\n"
+        "pendula.judge(slow, patience=1000)\n"
+    )
+    process = subprocess.Popen(
+        [sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout.readline() == "ready\n"
+    process.send_signal(2)
+    begin = time.monotonic()
+    assert process.stderr.read().endswith("KeyboardInterrupt\n")
+    assert process.wait() != 0 and time.monotonic() - begin < 10
+
+
+def noisy(force, theta, omega, h):
+    print("a step")
+    sys.stdout.flush()
+    os.write(1, b"another\n")
+    return verlet(force, theta, omega, h)
+
+
+def test_what_it_prints_disturbs_nobody(tmp_path, capfd):
+    """Catches: printed lines that are taken for answers, here and in a script that is served."""
+    assert pendula.judge(noisy, LEAPFROG).holds
+    assert "a step\nanother\n" in capfd.readouterr().out
+    folder = tmp_path / "a blank and an ü"
+    folder.mkdir()
+    script = folder / "noisy.py"
+    functions = "".join(inspect.getsource(one) + "\n" for one in (verlet, noisy))
+    script.write_text(f"import os, sys, pendula\n{functions}pendula.serve(noisy)\n")
+    told = subprocess.run(
+        [pendula.program(), "verify", "--claims", LEAPFROG, "--", sys.executable, str(script)],
+        capture_output=True, encoding="utf-8",
+    )  # fmt: skip
+    assert told.returncode == 0, told.stderr
+    assert told.stdout.endswith("Every claim holds.\n")
+
+
+def rk45(rate, y0, times, tolerance):
+    from scipy.integrate import solve_ivp
+
+    if not tolerance > 0:
+        raise ValueError("no tolerance")
+    run = solve_ivp(rate, (times[0], times[-1]), y0, t_eval=times, rtol=tolerance, atol=tolerance)
+    return run.y.T[1:]
+
+
+def test_a_solver_is_asked_for_what_is_possible():
+    """Catches: a solver that is asked for what hangs it, unless that is wanted; one that is not
+    asked for it though it is."""
+    pytest.importorskip("scipy")
+    report = pendula.judge_solver(rk45, "order=5 estimate=5")
+    report.check()
+    assert report["refusal"].verdict == "not measured" and not report.refused
+    report = pendula.judge_solver(rk45, "order=5 estimate=5", impossible=True)
+    report.check()
+    assert report["refusal"].verdict == "holds"
+
+
+def with_start(rate, y0, times, tolerance):
+    return [(0.0, 0.0) for _ in times]
+
+
+def test_a_solver_that_hands_out_the_start_is_told():
+    """Catches: rows that are one early."""
+    with pytest.raises(pendula.NotJudged, match=re.escape("times[0], is not asked for")):
+        pendula.judge_solver(with_start)
+
+
+def test_it_can_be_installed_anywhere():
+    """Catches: a program that is looked for where it is not."""
+    path = Path(pendula.program())
+    assert path.is_file() and path.stem == "pendula"
