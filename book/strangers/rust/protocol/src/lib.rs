@@ -1,5 +1,7 @@
 //! The judge's text protocol, version 1: one integrator a program.
 
+pub mod solver;
+
 use std::cell::Cell;
 use std::io::{BufRead, Write, stdin, stdout};
 
