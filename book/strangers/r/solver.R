@@ -2,9 +2,8 @@
 #
 #     Rscript r/solver.R METHOD
 #
-# `ode` with the vector of times that is asked for; how they are met is the method's own affair. Where
-# it looks for roots (lsoda, lsode, vode and radau, by `rootfunc` with an event that changes nothing,
-# so that it goes on), there are crossings.
+# `ode` with the vector of times that is asked for; how they are met is the method's own affair. lsoda,
+# lsode and radau look for roots (`rootfunc`, with an event that changes nothing, so that it goes on).
 suppressMessages(library(deSolve))
 
 name <- commandArgs(trailingOnly = TRUE)[1]
@@ -42,7 +41,9 @@ solution <- function(run, ...) {
     ode(run$start, run$grid, rate, run, method = method, rtol = run$tol, atol = each,
         maxsteps = 1e6, ...),
     warning = function(why) stop(conditionMessage(why)))
+  # Of a run that ends early the last row has its own time.
   if (nrow(found) != length(run$grid)) stop("it did not reach the end")
+  if (any(abs(found[, 1] - run$grid) > 1e-9 * max(abs(run$grid)))) stop("it ended elsewhere")
   found
 }
 
@@ -75,9 +76,9 @@ while (length(said <- readLines(input, n = 1)) > 0) {
   if (words[1] == "hello") {
     told <- paste("hello 1", name)
   } else if (words[1] %in% c("solve", "driven-solve", if (rooted) "crossings")) {
-    told <- tryCatch(answer(words[1], suppressWarnings(as.numeric(words[-1]))), error = function(why) {
-      paste("error", gsub("\\s+", " ", conditionMessage(why)))
-    })
+    numbers <- suppressWarnings(as.numeric(words[-1]))
+    refused <- function(why) paste("error", gsub("\\s+", " ", conditionMessage(why)))
+    told <- tryCatch(answer(words[1], numbers), error = refused)
   } else {
     told <- "unsupported"
   }

@@ -23,21 +23,24 @@ const MOST: usize = 1_000_000;
 
 macro_rules! solver {
     ($family:ident :: $name:ident) => {
+        solver!($family::$name, |run| {
+            $family::$name().rtol(run.tol).atol(run.each).max_steps(MOST)
+        })
+    };
+    ($family:ident :: $name:ident, |$run:ident| $method:expr) => {
         Solver {
             name: stringify!($name),
-            solve: |run| {
-                let method = $family::$name().rtol(run.tol).atol(run.each).max_steps(MOST);
-                let solution = IVP::ode(&Equations(run), run.from(), run.end(), run.start)
-                    .t_eval(&run.grid[1..])
-                    .method(method)
+            solve: |$run| {
+                let solution = IVP::ode(&Equations($run), $run.from(), $run.end(), $run.start)
+                    .t_eval(&$run.grid[1..])
+                    .method($method)
                     .solve();
                 Ok(solution.map_err(|why| format!("{why:?}"))?.y)
             },
-            crossings: Some(|run| {
-                let method = $family::$name().rtol(run.tol).atol(run.each).max_steps(MOST);
-                let solution = IVP::ode(&Equations(run), run.from(), run.end(), run.start)
+            crossings: Some(|$run| {
+                let solution = IVP::ode(&Equations($run), $run.from(), $run.end(), $run.start)
                     .crossing(0, 0.0, CrossingDirection::Both)
-                    .method(method)
+                    .method($method)
                     .solve();
                 let found = solution.map_err(|why| format!("{why:?}"))?;
                 Ok(found.t.iter().zip(&found.y).map(|(t, y)| [*t, y[0], y[1]]).collect())
@@ -69,6 +72,8 @@ fn main() {
         solver!(DiagonallyImplicitRungeKutta::kvaerno423),
         solver!(DiagonallyImplicitRungeKutta::kvaerno745),
         solver!(BackwardDifferentiationFormula::adaptive),
-        solver!(AdamsPredictorCorrector::v4),
+        solver!(AdamsPredictorCorrector::v4, |run| {
+            AdamsPredictorCorrector::v4().tol(run.tol).h0(run.first()).max_steps(MOST)
+        }),
     ]);
 }

@@ -32,7 +32,11 @@ fn solution(run: &Run, method: Method, events: usize) -> Result<Solution, String
         .max_steps(1_000_000)
         .t_eval(run.grid[1..].to_vec())
         .solve();
-    found.map_err(|why| format!("{why:?}"))
+    let found = found.map_err(|why| format!("{why:?}"))?;
+    match found.status {
+        Status::Success => Ok(found),
+        other => Err(format!("{other:?}")),
+    }
 }
 
 macro_rules! solver {
