@@ -13,7 +13,8 @@ import sys
 
 PART = "<!-- ANCHOR: {0} -->\n```(\\w+)\n(.*?)```\n<!-- ANCHOR_END: {0} -->"
 PROGRAM, OUTPUT = (re.compile(PART.format(part), re.S) for part in ("program", "output"))
-SUFFIXES = {"c": ".c", "cpp": ".cpp", "js": ".mjs", "python": ".py", "rust": ".rs"}
+SUFFIXES = {"c": ".c", "cpp": ".cpp", "java": ".java", "js": ".mjs", "octave": ".m", "python": ".py", "r": ".R",
+            "rust": ".rs"}
 
 
 def programs(reports, work):
@@ -47,6 +48,12 @@ def command(source, work):
         return [work / "venv" / "bin" / "python", source]
     if source.suffix == ".mjs":
         return ["node", source]
+    if source.suffix == ".R":
+        return ["Rscript", source]
+    if source.suffix == ".m":
+        return ["octave-cli", "--no-gui", source]
+    if source.suffix == ".java":
+        return ["java", "-cp", f"{work / 'java'}/*", source]
     if source.suffix == ".cpp":
         flags = os.environ.get("CXXFLAGS", "").split()
         built(["g++", "-std=c++17", "-w", *flags, source, "-o", out])

@@ -1,6 +1,6 @@
-//! diffsol 0.18.0 with nalgebra. Several times are asked for by `solve_dense`, which interpolates;
-//! a single one by `solve`, which ends a step there. It goes forward alone: a run back is left to it
-//! as it is. A crossing ends a run, so the next one begins there.
+//! diffsol 0.18.0 with nalgebra. Several times are asked for by `solve_dense`, which interpolates; a
+//! single one by `solve`, which ends a step there. A crossing ends a run, so the next one begins
+//! there.
 
 use diffsol::{
     DiffsolError, MatrixCommon, NalgebraLU, NalgebraMat, OdeBuilder, OdeSolverMethod,

@@ -1,6 +1,6 @@
 //! ode_solvers 0.6.2. A single time is the end of the last step. Several are evaluated from the
-//! continuous output model of Dopri5; Dop853 has none, only equal distances, so that each of them is
-//! the end of a run. It looks for no events.
+//! continuous output model of Dopri5; Dop853 has none, only equal distances, so that each of them
+//! is the end of a run. It looks for no events.
 
 use ode_solvers::continuous_output_model::ContinuousOutputModel;
 use ode_solvers::dop_shared::OutputType;
