@@ -2,31 +2,23 @@
 
 
 def scipy(name):
-    """Fixed steps: rtol = atol = infinity, so no error is too large; first_step = max_step = |h|,
-    and h_abs is set to |h| before each step. The adapter checks the length of every step."""
+    """Fixed steps: rtol = atol = infinity, so no error is too large and none asks for a shorter
+    step; max_step = |h|, and h_abs, the estimate of the next step, is held at |h|. The adapter
+    checks the length of every step."""
     import numpy as np
     from scipy import integrate
 
-    free = dict(rtol=np.inf, atol=np.inf)
-
-    def solve(ask):
-        h, y = ask.h, np.array([ask.theta, ask.omega])
+    def walk(rate, t, y, h):
         method = getattr(integrate, name)(
-            lambda t, y: np.array(ask.rate(t, y)), 0.0, y, np.inf * h,
-            first_step=abs(h), max_step=abs(h), **free)
-        # No tolerance: the error never asks for a shorter step, and max_step is h. The solver's
-        # estimate of the next step is held at h besides.
-
-        def step(i, state):
+            rate, t, y, np.inf * h, first_step=abs(h), max_step=abs(h), rtol=np.inf, atol=np.inf)
+        while True:
             method.h_abs = abs(h)
             method.step()
             if method.step_size != abs((method.t_old + h) - method.t_old):
                 raise RuntimeError(f"took a step of {method.step_size}")
-            return method.y
+            yield method.y
 
-        return ask.steps(y, step)
-
-    return solve
+    return dict(rate=walk, state=np.array)
 
 
 def desolver(name):
@@ -45,30 +37,29 @@ def desolver(name):
     implicit = kind in de.integrators.implicit_methods()
     tolerance = 1e-13  # of the implicit methods' inner iteration
 
-    def solve(ask):
+    def walk(rate, t, y, h):
         # An implicit method asked for a step back takes a longer one, a minimum of negative
         # numbers (integrator_types.py, line 206); it is asked for a step ahead of the mirrored
         # equation, which is the same by definition.
-        sign = -1.0 if implicit and ask.h < 0 else 1.0
+        sign = -1.0 if implicit and h < 0 else 1.0
 
         def field(t, y):
-            return sign * np.array(ask.rate(sign * t, y))
+            return sign * rate(sign * t, y)
 
-        field.jac = lambda t, y: sign * np.array([[0.0, 1.0], [-ask.g * np.cos(y[0]), 0.0]])
+        field.jac = lambda t, y: sign * np.array([[0.0, 1.0], [-rate.g_over_l * np.cos(y[0]), 0.0]])
         field = de.DiffRHS(field, equ_repr="pendulum", md_repr="pendulum")
-        h = np.float64(sign * ask.h)
+        h = np.float64(sign * h)
         method = kind((2,), np.dtype("float64"), rtol=tolerance, atol=tolerance)
         method.is_adaptive = True  # switches the control of the step off
-
-        def step(i, y):
+        i = 0
+        while True:
             _, (took, change) = method(field, np.float64(i * h), y, {}, h)
             if took != h:
                 raise RuntimeError(f"took a step of {took}, not {h}")
-            return y + change
+            y, i = y + change, i + 1
+            yield y
 
-        return ask.steps(np.array([ask.theta, ask.omega]), step)
-
-    return solve
+    return dict(rate=walk, state=np.array)
 
 
 def diffrax(name):
@@ -76,7 +67,7 @@ def diffrax(name):
     counts evaluations in compiled code. The implicit solvers get optimistix.Newton, as their
     documentation allows, since with the default chord iteration the inner error is that of its
     tolerance."""
-    import diffrax
+    import diffrax as dx
     import jax
     import jax.numpy as jnp
     import optimistix
@@ -88,72 +79,65 @@ def diffrax(name):
         g, a, w, _ = ask
         return a * jnp.cos(w * t) - g * jnp.sin(x)
 
-    def build():
-        """The solver, its terms, and how it holds (theta, omega)."""
-        ode = diffrax.ODETerm
-        if name == "SemiImplicitEuler":
-            terms = (ode(lambda t, v, ask: v), ode(force))
-            return diffrax.SemiImplicitEuler(), terms, tuple
-        kind = getattr(diffrax, name)
-        if name in ("Sil3", "KenCarp3", "KenCarp4", "KenCarp5"):
-            terms = diffrax.MultiTerm(
-                ode(lambda t, y, ask: jnp.stack([0.0 * t, force(t, y[0], ask)])),
-                ode(lambda t, y, ask: jnp.stack([y[1], 0.0 * t])))
-        else:
-            terms = ode(lambda t, y, ask: jnp.stack([y[1], force(t, y[0], ask)]))
-        if not issubclass(kind, diffrax.AbstractImplicitSolver):
-            return kind(), terms, jnp.stack
+    kind, ode, pack = getattr(dx, name), dx.ODETerm, jnp.stack
+    if name == "SemiImplicitEuler":
+        terms, pack = (ode(lambda t, v, ask: v), ode(force)), tuple
+    elif name in ("Sil3", "KenCarp3", "KenCarp4", "KenCarp5"):
+        terms = dx.MultiTerm(ode(lambda t, y, ask: jnp.stack([0.0 * t, force(t, y[0], ask)])),
+                             ode(lambda t, y, ask: jnp.stack([y[1], 0.0 * t])))
+    else:
+        terms = ode(lambda t, y, ask: jnp.stack([y[1], force(t, y[0], ask)]))
+    solver = kind()
+    if issubclass(kind, dx.AbstractImplicitSolver):
         newton = optimistix.Newton(rtol=tolerance, atol=tolerance)
-        return kind(root_finder=newton, root_find_max_steps=50), terms, jnp.stack
-
-    solver, terms, pack = build()
+        solver = kind(root_finder=newton, root_find_max_steps=50)
 
     @jax.jit
     def first(y, ask):
-        return solver.init(terms, 0.0, ask[3], pack(y), ask)
+        return pack(y), solver.init(terms, 0.0, ask[3], pack(y), ask), jnp.bool_(False)
 
-    @jax.jit
-    def advance(y, state, fault, start, rows, k, ask):
-        """The next `rows` states, k steps apart, from step `start` on."""
-        h = ask[3]
+    def step(i, carry, ask):
+        y, state, fault = carry
+        y, _, _, state, result = solver.step(
+            terms, i * ask[3], (i + 1) * ask[3], y, ask, state, made_jump=False)
+        return y, state, fault | (result != dx.RESULTS.successful)
 
-        def step(i, carry):
-            y, state, fault = carry
-            y, _, _, state, result = solver.step(
-                terms, i * h, (i + 1) * h, y, ask, state, made_jump=False)
-            return y, state, fault | (result != diffrax.RESULTS.successful)
+    advance = in_rows(jax, step, lambda carry: jnp.stack(carry[0]))
 
-        def row(j, carry):
-            inner, out = carry
-            i = start + j * k
-            inner = jax.lax.fori_loop(i, i + k, step, inner)
-            return inner, out.at[j].set(jnp.stack(inner[0]))
-
-        carry = (pack(y), state, fault), jnp.zeros((ROWS, 2))
-        (y, state, fault), out = jax.lax.fori_loop(0, rows, row, carry)
-        return jnp.stack(y), state, fault, out
-
-    def solve(ask):
-        values = tuple(jnp.float64(x) for x in (ask.g, ask.a, ask.w, ask.h))
-        y, fault, found = jnp.array([ask.theta, ask.omega]), jnp.bool_(False), []
-        state = first(y, values)
-        for done, rows in pieces(ask):
-            y, state, fault, out = advance(y, state, fault, done * ask.k, rows, ask.k, values)
-            found += out[:rows].tolist()
+    def run(rate, y, h, steps, every):
+        ask = tuple(map(jnp.float64, (rate.g_over_l, rate.amplitude, rate.frequency, h)))
+        (_, _, fault), found = advance(first(jnp.array(y), ask), steps, every, ask)
         if fault:
             raise RuntimeError("the solver's inner iteration did not converge")
         return found
 
-    return solve
+    return dict(run=run)
 
 
-ROWS = 4096  # states that a call of compiled code gives back at most
+def in_rows(jax, step, row, most=4096):
+    """Of `step(i, carry, ask)` a function of the carry at the start, n, k and what is asked, which
+    returns the carry at the end and `row(carry)` after k, 2k, ... n steps. Compiled once: a call of
+    compiled code gives back `most` rows."""
 
+    @jax.jit
+    def rows(carry, start, count, k, ask):
+        def one(j, both):
+            inner, out = both
+            i = start + j * k
+            inner = jax.lax.fori_loop(i, i + k, lambda i, carry: step(i, carry, ask), inner)
+            return inner, out.at[j].set(row(inner))
 
-def pieces(ask):
-    """Of all states that are asked for, so many at a time: how many are done, and the next."""
-    total = ask.n // ask.k
-    return [(done, min(ROWS, total - done)) for done in range(0, total, ROWS)]
+        return jax.lax.fori_loop(0, count, one, (carry, jax.numpy.zeros((most, 2))))
+
+    def advance(carry, n, k, ask):
+        found = []
+        while len(found) < n // k:
+            count = min(most, n // k - len(found))
+            carry, out = rows(carry, len(found) * k, count, k, ask)
+            found += out[:count].tolist()
+        return carry, found
+
+    return advance
 
 
 def heyoka(name):
@@ -163,41 +147,28 @@ def heyoka(name):
     import heyoka as hy
 
     x, v = hy.make_vars("x", "v")
-
-    def adaptive(equations, **options):
-        return hy.taylor_adaptive(equations, [0.0, 0.0], **options)
-
-    def tolerance(order):
-        """A tolerance for which heyoka chooses this order."""
-        for exponent in range(1, 161):
-            tol = 10 ** (-exponent / 10)
-            if adaptive([(x, v), (v, -x)], tol=tol).order == order:
-                return tol
-        raise ValueError(f"no tolerance gives order {order}")
-
+    order = int(name.removeprefix("taylor"))
+    # A tolerance for which it chooses this order.
+    tol = next(tol for tol in (10 ** (-exponent / 10) for exponent in range(1, 161))
+               if hy.taylor_adaptive([(x, v), (v, -x)], [0.0, 0.0], tol=tol).order == order)
     g, a, w = hy.par[0], hy.par[1], hy.par[2]
     fall = a * hy.cos(w * hy.time) - g * hy.sin(x)
-    method = adaptive(
-        [(x, v), (v, fall)], pars=[1.0, 0.0, 1.0],
-        tol=tolerance(int(name.removeprefix("taylor"))))
+    method = hy.taylor_adaptive([(x, v), (v, fall)], [0.0, 0.0], pars=[1.0, 0.0, 1.0], tol=tol)
 
-    def solve(ask):
-        h = ask.h
-        method.pars[:] = ask.g, ask.a, ask.w
-        method.state[:] = ask.theta, ask.omega
-        method.time = 0.0
-
-        def step(i, _):
+    def walk(rate, t, y, h):
+        method.pars[:] = rate.g_over_l, rate.amplitude, rate.frequency
+        method.state[:] = y
+        i = 0
+        while True:
             # The Taylor series at i h, summed at (i + 1) h, whatever step the tolerance would like.
             start = i * h
             method.time = start
             method.step(max_delta_t=h, write_tc=True)
             method.state[:] = method.update_d_output(h - (method.time - start), rel_time=True)
-            return method.state
+            i += 1
+            yield method.state
 
-        return ask.steps(None, step)
-
-    return solve
+    return dict(rate=walk)
 
 
 def gala(name):
@@ -206,10 +177,12 @@ def gala(name):
     import numpy as np
     from gala import integrate
 
-    def solve(ask):
-        method = getattr(integrate, name)(lambda t, w: np.array([w[1], [ask.force(t, w[0, 0])]]))
-        orbit = method(np.array([ask.theta, ask.omega]), dt=ask.h, n_steps=ask.n)
-        x, v = orbit.pos.xyz.value.ravel(), orbit.vel.d_xyz.value.ravel()
-        return list(zip(x, v))[ask.k::ask.k]
+    def run(rate, y, h, steps, every):
+        def field(t, w):
+            return np.array([w[1], [rate.acceleration(w[0, 0], t)]])
 
-    return solve
+        orbit = getattr(integrate, name)(field)(y, dt=h, n_steps=steps)
+        states = zip(orbit.pos.xyz.value.ravel(), orbit.vel.d_xyz.value.ravel())
+        return list(states)[every::every]
+
+    return dict(run=run, state=np.array)

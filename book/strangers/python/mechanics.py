@@ -2,7 +2,7 @@
 
 import math
 
-from equations import ROWS, pieces
+from equations import in_rows
 
 
 def ase(name):
@@ -14,26 +14,22 @@ def ase(name):
     class Fall:
         """A calculator: a force along x that depends on x alone."""
 
-        def __init__(self, ask):
-            self.ask = ask
+        def __init__(self, force):
+            self.force = force
 
         def get_forces(self, atoms):
-            return np.array([[self.ask.force(0.0, atoms.positions[0, 0]), 0.0, 0.0]])
+            return np.array([[self.force(atoms.positions[0, 0]), 0.0, 0.0]])
 
-    def solve(ask):
-        atoms = Atoms("H", positions=[[ask.theta, 0.0, 0.0]], masses=[1.0])
-        atoms.set_momenta([[ask.omega, 0.0, 0.0]])
-        atoms.calc = Fall(ask)
-        method, forces = getattr(verlet, name)(atoms, timestep=ask.h), None
-
-        def step(i, _):
-            nonlocal forces
+    def walk(force, theta, omega, h):
+        atoms = Atoms("H", positions=[[theta, 0.0, 0.0]], masses=[1.0])
+        atoms.set_momenta([[omega, 0.0, 0.0]])
+        atoms.calc = Fall(force)
+        method, forces = getattr(verlet, name)(atoms, timestep=h), None
+        while True:
             forces = method.step(forces)
-            return atoms.positions[0, 0], atoms.get_momenta()[0, 0]
+            yield atoms.positions[0, 0], atoms.get_momenta()[0, 0]
 
-        return ask.steps(None, step)
-
-    return solve
+    return dict(method=walk)
 
 
 def blackjax(name):
@@ -58,27 +54,18 @@ def blackjax(name):
     def first(x, v, g):
         return integrators.new_integrator_state(density(g), x, v)
 
-    @jax.jit
-    def advance(state, rows, k, g, h):
-        one_step = getattr(integrators, name)(density(g), kinetic, **options)
+    def step(i, state, ask):
+        g, h = ask
+        return getattr(integrators, name)(density(g), kinetic, **options)(state, h)
 
-        def row(j, carry):
-            state, out = carry
-            state = jax.lax.fori_loop(0, k, lambda i, s: one_step(s, h), state)
-            pair = jnp.concatenate([state.position, state.momentum])
-            return state, out.at[j].set(pair)
+    advance = in_rows(jax, step, lambda it: jnp.concatenate([it.position, it.momentum]))
 
-        return jax.lax.fori_loop(0, rows, row, (state, jnp.zeros((ROWS, 2))))
+    def run(rate, y, h, steps, every):
+        ask = jnp.float64(rate.g_over_l), jnp.float64(h)
+        state = first(jnp.array([y[0]]), jnp.array([y[1]]), ask[0])
+        return advance(state, steps, every, ask)[1]
 
-    def solve(ask):
-        g, h, found = jnp.float64(ask.g), jnp.float64(ask.h), []
-        state = first(jnp.array([ask.theta]), jnp.array([ask.omega]), g)
-        for _, rows in pieces(ask):
-            state, out = advance(state, rows, ask.k, g, h)
-            found += out[:rows].tolist()
-        return found
-
-    return solve
+    return dict(run=run, driven=False)
 
 
 def galpy(name):
@@ -88,14 +75,15 @@ def galpy(name):
     import numpy as np
     from galpy.util import symplecticode
 
-    def solve(ask):
-        times = ask.h * np.arange(ask.n + 1)
-        out = getattr(symplecticode, name)(
-            lambda q, t=0.0: np.array([ask.force(t, q[0])]),
-            np.array([ask.theta, ask.omega]), times, rtol=1e9, atol=1e9)
-        return out[ask.k::ask.k].tolist()
+    def run(rate, y, h, steps, every):
+        def force(q, t=0.0):
+            return np.array([rate.acceleration(q[0], t)])
 
-    return solve
+        times = h * np.arange(steps + 1)
+        out = getattr(symplecticode, name)(force, y, times, rtol=1e9, atol=1e9)
+        return out[every::every]
+
+    return dict(run=run, state=np.array)
 
 
 def mici(name):
@@ -107,21 +95,17 @@ def mici(name):
     iterated = name.startswith("Implicit")
     options = {"fixed_point_solver_kwargs": dict(convergence_tol=1e-14)} if iterated else {}
 
-    def solve(ask):
+    def walk(force, theta, omega, h):
         system = systems.EuclideanMetricSystem(
-            neg_log_dens=lambda q: -ask.g * math.cos(q[0]),
-            grad_neg_log_dens=lambda q: np.array([-ask.force(0.0, q[0])]))
-        method = getattr(integrators, name)(system, step_size=ask.h, **options)
-        state = states.ChainState(pos=np.array([ask.theta]), mom=np.array([ask.omega]), dir=1)
-
-        def step(i, _):
-            nonlocal state
+            neg_log_dens=lambda q: -force.g_over_l * math.cos(q[0]),
+            grad_neg_log_dens=lambda q: np.array([-force(q[0])]))
+        method = getattr(integrators, name)(system, step_size=h, **options)
+        state = states.ChainState(pos=np.array([theta]), mom=np.array([omega]), dir=1)
+        while True:
             state = method.step(state)
-            return state.pos[0], state.mom[0]
+            yield state.pos[0], state.mom[0]
 
-        return ask.steps(None, step)
-
-    return solve
+    return dict(method=walk)
 
 
 def mujoco(name):
@@ -138,22 +122,19 @@ def mujoco(name):
         <inertial pos="0 0 -1" mass="1" diaginertia="1 1 1"/></body></worldbody>
     </mujoco>"""
 
-    def solve(ask):
+    def walk(force, theta, omega, h):
         model = mujoco.MjModel.from_xml_string(model_of.format(name))
         data = mujoco.MjData(model)
-        model.opt.gravity[:] = 0.0, 0.0, -2.0 * ask.g
-        model.opt.timestep = ask.h
-        data.qpos[0], data.qvel[0] = ask.theta, ask.omega
-
-        def step(i, _):
+        model.opt.gravity[:] = 0.0, 0.0, -2.0 * force.g_over_l
+        model.opt.timestep = h
+        data.qpos[0], data.qvel[0] = theta, omega
+        while True:
             mujoco.mj_step(model, data)
             if data.warning.number.any():
                 raise RuntimeError("MuJoCo warned, and may have reset the state")
-            return data.qpos[0], data.qvel[0]
+            yield data.qpos[0], data.qvel[0]
 
-        return ask.steps(None, step)
-
-    return solve
+    return dict(method=walk)
 
 
 def openmm(name):
@@ -162,34 +143,32 @@ def openmm(name):
     import openmm
     from openmm import unit
 
-    def solve(ask):
+    def run(rate, y, h, steps, every):
         system = openmm.System()
         system.addParticle(1.0)
         field = openmm.CustomExternalForce("-g*cos(x)")
-        field.addGlobalParameter("g", ask.g)
+        field.addGlobalParameter("g", rate.g_over_l)
         field.addParticle(0, [])
         system.addForce(field)
-        method = getattr(openmm, name)(ask.h)
+        method = getattr(openmm, name)(h)
         context = openmm.Context(system, method, openmm.Platform.getPlatform("Reference"))
-        context.setPositions([[ask.theta, 0.0, 0.0]])
+        context.setPositions([[y[0], 0.0, 0.0]])
 
         # The documentation: "positions and velocities stored in the context are offset from each
         # other by half a time step". The start is half a step back, and what is answered is on the
         # step.
         def half(x):
-            return 0.5 * ask.h * -ask.g * math.sin(x)
+            return 0.5 * h * -rate.g_over_l * math.sin(x)
 
-        context.setVelocities([[ask.omega - half(ask.theta), 0.0, 0.0]])
-        found = []
-        for _ in range(ask.n // ask.k):
-            method.step(ask.k)
+        context.setVelocities([[y[1] - half(y[0]), 0.0, 0.0]])
+        for _ in range(steps // every):
+            method.step(every)
             state = context.getState(positions=True, velocities=True)
             x = state.getPositions()[0].value_in_unit(unit.nanometer)[0]
             v = state.getVelocities()[0].value_in_unit(unit.nanometer / unit.picosecond)[0]
-            found.append((x, v + half(x)))
-        return found
+            yield x, v + half(x)
 
-    return solve
+    return dict(run=run, driven=False)
 
 
 def pyhamsys(name):
@@ -198,9 +177,9 @@ def pyhamsys(name):
     place are counted as the library asks for them, twice."""
     from pyhamsys.pyhamsys import SymplecticIntegrator
 
-    def solve(ask):
+    def walk(force, theta, omega, t, h):
         def kick(h, t, y):
-            return y[0], y[1] + float(h) * ask.force(t, y[0])
+            return y[0], y[1] + float(h) * force(y[0], t)
 
         def drift(h, y):
             return y[0] + float(h) * y[1], y[1]
@@ -221,14 +200,12 @@ def pyhamsys(name):
             def chi_star(h, t, y):
                 return drift(h, kick(h, t, y))
 
-        method = SymplecticIntegrator(name, ask.h)
+        method, y, i = SymplecticIntegrator(name, h), (theta, omega), 0
+        while True:
+            y, i = method._integrate_onestep(i * h, y, chi, chi_star)[1], i + 1
+            yield y
 
-        def step(i, y):
-            return method._integrate_onestep(i * ask.h, y, chi, chi_star)[1]
-
-        return ask.steps((ask.theta, ask.omega), step)
-
-    return solve
+    return dict(method=walk)
 
 
 def rebound(name):
@@ -240,33 +217,28 @@ def rebound(name):
 
     integrator, _, order = name.partition(":")
 
-    def solve(ask):
+    def run(rate, y, h, steps, every):
         sim = rebound.Simulation()
-        sim.G = 0.0
-        sim.integrator = integrator
+        sim.G, sim.gravity, sim.integrator = 0.0, "none", integrator
         if order:
             sim.integrator.order = int(order)
         if integrator == "ias15":
             sim.integrator.epsilon = 0.0
-        sim.gravity = "none"
-        sim.add(m=1.0, x=ask.theta, vx=ask.omega)
+        sim.add(m=1.0, x=y[0], vx=y[1])
         one = sim.particles[0]
 
         def push(_):
-            one.ax += ask.force(sim.t, one.x)
+            one.ax += rate.acceleration(one.x, sim.t)
 
-        sim.additional_forces = push
-        sim.dt = ask.h
-        found = []
-        for _ in range(ask.n // ask.k):
-            sim.steps(ask.k)
-            if sim.dt != ask.h:
+        sim.additional_forces, sim.dt = push, h
+        for _ in range(steps // every):
+            sim.steps(every)
+            if sim.dt != h:
                 raise RuntimeError(f"the step became {sim.dt}")
             sim.synchronize()
-            found.append((one.x, one.vx))
-        return found
+            yield one.x, one.vx
 
-    return solve
+    return dict(run=run)
 
 
 def symplecta(name):
@@ -280,17 +252,15 @@ def symplecta(name):
     if method == "implicit_midpoint":
         options["tol"] = 1e-14
 
-    def solve(ask):
+    def run(rate, y, h, steps, every):
+        system = dict(force=lambda t, q: np.array([rate.acceleration(q[0], t)]))
         if method == "implicit_midpoint":
-            system = dict(dHdq=lambda t, q, p: np.array([-ask.force(t, q[0])]),
+            system = dict(dHdq=lambda t, q, p: np.array([-rate.acceleration(q[0], t)]),
                           dHdp=lambda t, q, p: p)
-        else:
-            system = dict(force=lambda t, q: np.array([ask.force(t, q[0])]))
-        result = solve_symplectic_ivp(
-            (0.0, ask.n * ask.h), [ask.theta], [ask.omega], n_steps=ask.n, method=method,
-            **system, **options)
+        result = solve_symplectic_ivp((0.0, steps * h), y[:1], y[1:], n_steps=steps,
+                                      method=method, **system, **options)
         if not result.success:
             raise RuntimeError(result.message)
-        return list(zip(result.q[0], result.p[0]))[ask.k::ask.k]
+        return list(zip(result.q[0], result.p[0]))[every::every]
 
-    return solve
+    return dict(run=run)

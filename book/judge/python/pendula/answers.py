@@ -86,7 +86,8 @@ class Question:
 class Answers:
     """Functions that answer questions. ``state`` makes of a list the state that they are handed.
     What is not ``driven`` knows no force that depends on the time; where it is not to be asked for
-    the ``impossible``, the judge is told so."""
+    the ``impossible``, the judge is told so. If it is not ``strict``, every exception is an answer.
+    """
 
     def __init__(
         self,
@@ -100,6 +101,7 @@ class Answers:
         state: Callable[[list[float]], Any] = list,
         driven: bool = True,
         impossible: bool = True,
+        strict: bool = True,
     ) -> None:
         self.name = " ".join("".join(c if c.isprintable() else " " for c in name).split())[:60]
         self._method, self._rate, self._run = method, rate, run
@@ -116,7 +118,7 @@ class Answers:
             self._known.pop("driven", None)
         if not driven:
             self._known.pop("driven-solve", None)
-        self._impossible = impossible
+        self._impossible, self._strict = impossible, strict
         self._has_answered = False
         #: Each question that was refused by an exception.
         self.refused: list[tuple[str, Exception]] = []
@@ -132,7 +134,10 @@ class Answers:
             return [f"hello 1 {self.name}"]
         if word not in self._known:
             return ["unsupported"]
-        question = Question(line)
+        try:
+            question = Question(line)
+        except (IndexError, ValueError):
+            return ["error the question cannot be read"]
         if not (self._impossible or question.makes_sense()):
             return ["unsupported"]
         if question.cannot_be:
@@ -140,10 +145,12 @@ class Answers:
         try:
             rows, equation = self._known[word](question)
         except NotJudged as wrong:
+            if not self._strict:
+                return [f"error {wrong}"]
             raise NotJudged(f"{wrong}\nThe question was: {shortened(line)}") from wrong.__cause__
         except Exception as fault:
             told = " ".join(f"{type(fault).__name__}: {fault}".split())[:300]
-            if question.makes_sense():
+            if self._strict and question.makes_sense():
                 # Numbers that grow beyond all bounds are an answer.
                 is_first = not self._has_answered and not isinstance(fault, OverflowError)
                 if is_first or isinstance(fault, MISTAKES):

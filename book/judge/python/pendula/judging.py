@@ -250,13 +250,13 @@ def serve(
     returns the states after every, 2 every, … steps. What is not ``driven`` knows no force that
     depends on the time.
 
-    What the functions print goes to standard error.
+    Every exception refuses its question. What the functions print goes to standard error.
     """
     function = method or rate or run or solver
     if function is None:
         raise TypeError("there is nothing to serve: a method or a solver is needed")
     answers = Answers(named(function, name), method=method, rate=rate, run=run, solver=solver,
-                      crossings=crossings, state=state, driven=driven)  # fmt: skip
+                      crossings=crossings, state=state, driven=driven, strict=False)  # fmt: skip
     sys.stdout.flush()
     with os.fdopen(os.dup(1), "w", encoding="utf-8", newline="\n") as told:
         os.dup2(2, 1)

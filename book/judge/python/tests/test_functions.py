@@ -290,3 +290,35 @@ def test_it_can_be_installed_anywhere():
     """Catches: a program that is looked for where it is not."""
     path = Path(pendula.program())
     assert path.is_file() and path.stem == "pendula"
+
+
+def test_a_script_that_is_served_refuses_and_goes_on(tmp_path):
+    """Catches: a script that ends at an exception, or at a line that it does not know."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import pendula\n"
+        "def steps(rate, y, h, steps, every):\n"
+        "    if h < 0:\n"
+        "        raise NameError('no way back')\n"
+        "    return [y] * (1 if h > 1 else steps // every)\n"
+        "pendula.serve(run=steps, driven=False, name='some\\tsteps')\n"
+    )
+    asked = {
+        "hello 1": ["hello 1 some steps"],
+        "pendulum 9.81 1.0 0.0 -0.1 4 2": ["error NameError: no way back"],
+        "pendulum 9.81 1.0 0.0 2.0 4 2": ["error some steps returned 1 states of 2"],
+        "pendulum 9.81 1.0 0.0": ["error the question cannot be read"],
+        "pendulum 9.81 1.0 0.0 0.1 4 3": ["error k does not divide n"],
+        "pendulum 9.81 1.0 nan 0.1 4 4": ["error state 1 of 1 is not finite: [1.0, nan]"],
+        "driven 9.81 0.5 2.0 1.0 0.0 0.1 4 2": ["unsupported"],
+        "solve 9.81 2.0 0.0 0.0 1e-8 2.5 5.0": ["unsupported"],
+        "pendulum 9.81 1.0 0.5 0.1 4 2": ["1.0 0.5", "1.0 0.5", "done"],
+    }
+    told = subprocess.run(
+        [sys.executable, str(script)],
+        input="\n".join([*asked, "bye", "hello 1"]) + "\n",
+        capture_output=True,
+        check=True,
+        encoding="utf-8",
+    ).stdout
+    assert told.splitlines() == [line for answer in asked.values() for line in answer]
