@@ -7,8 +7,8 @@
 ...     return theta, omega + h / 2 * force(theta)
 >>> report = pendula.judge(verlet, "order=2 symplectic symmetric")
 >>> report.check()                  # AssertionError with what to look at, if a claim fails
->>> report.what_it_is
-'Störmer–Verlet (stormer-verlet)'
+>>> report.method
+'stormer-verlet'
 
 :func:`judge` takes a method of equal steps, :func:`judge_rate` one that is written for first-order
 equations, :func:`judge_solver` a solver with a tolerance. :func:`serve` makes a script a program

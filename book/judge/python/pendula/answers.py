@@ -196,10 +196,11 @@ class Answers:
                     return method(force, theta, omega, i * h, h)
                 return method(force, theta, omega, h)
 
+            force.steps = question.steps
             return self._states_of(step, question.start), force
         rate, of_rate = self._rate_of(question), self._rate
         assert of_rate
-        start = self._state(question.start)
+        rate.steps, start = question.steps, self._state(question.start)
         return self._states_of(lambda i, y: of_rate(rate, i * h, y, h), start), rate
 
     def _states_of(self, step: Callable[[int, Any], Any], start: Any) -> Iterator[Any]:

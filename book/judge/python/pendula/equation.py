@@ -19,6 +19,8 @@ class Equation:
         #: How often the force was evaluated. Who evaluates it in code of his own sets it, or adds
         #: to it; 0 says that nobody counts.
         self.evaluations = 0
+        #: How many steps a method is asked for.
+        self.steps = 0
 
     def acceleration(self, theta: float, t: float) -> float:
         """The angular acceleration (1/s²). Where there is no angle there is none: NaN."""

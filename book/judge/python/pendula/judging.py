@@ -150,8 +150,8 @@ def judge(
     >>> report["stage-times"].verdict
     'holds'
 
-    It may also be a class that is made as ``method(force, theta, omega, h)``, and whose ``step()``
-    returns the next state.
+    It may also return an iterator over ``force.steps`` states, or an object whose ``step()``
+    returns the next: so a class with a memory is a method.
 
     The claims are those of `pendula verify`: order=P, symplectic, symmetric, bounded-energy,
     evaluations=N (a step), name=METHOD. Without any the method is named and nothing is held against
