@@ -9,6 +9,7 @@ import tomllib
 import mpmath
 import numpy
 
+import right_hand_sides
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
 from steps import Method, Pendulum, combination, taylor
@@ -185,7 +186,9 @@ def document():
                 head["on"] = on
             body = line(head)[:-1] + ', "answers": [\n'
             texts.append(body + ",\n".join(line(answer) for answer in found) + "]}")
-        out.append(f"{line(kind)}: [\n" + ",\n".join(texts) + ("]," if kind == "methods" else "]"))
+        out.append(f"{line(kind)}: [\n" + ",\n".join(texts) + "],")
+    # At the end, where whoever needs only the steps can leave it out.
+    out.append('"right_hand_sides": ' + right_hand_sides.document())
     return "\n".join(out) + "}\n"
 
 
@@ -193,7 +196,9 @@ ABOUT = (
     "What one, two or eight steps of a named integrator of the pendulum, "
     "θ'' = -(g/L) sin θ + A cos(Ωt), lead to. Inputs are exact in binary, answers right to 25 "
     "digits; a program agrees if neither θ nor ω is further off than "
-    "tolerance × ε × max(|θ|, |ω|), with the ε of its type. See book/known-answers/README.md."
+    "tolerance × ε × max(|θ|, |ω|), with the ε of its type. And right_hand_sides: accelerations "
+    "and energies of this pendulum, with drag too, and of the double pendulum, and the usual "
+    "mistakes in them. See book/known-answers/README.md."
 )
 
 if __name__ == "__main__":

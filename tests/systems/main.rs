@@ -9,6 +9,7 @@ mod double_pendulum;
 mod driven;
 mod dynamics;
 mod kepler;
+mod known_answers;
 mod magnetic;
 mod shaken;
 mod symmetric_steps;

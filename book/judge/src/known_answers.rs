@@ -1,4 +1,5 @@
-//! What named integrators, and known mistakes in them, lead to in one, two or eight steps.
+//! What named integrators, and known mistakes in them, lead to in one, two or eight steps; and what
+//! the right-hand sides are that they are given, [`right_hand_side`].
 //!
 //! The numbers are those of `snapshots/known-answers.json`, which a program that knows nothing of
 //! this library has computed to 25 digits; `book/known-answers/README.md` has the conventions.
@@ -17,6 +18,12 @@ use serde_json::Value;
 
 use super::stranger::Drive;
 use pendula::systems::Phase;
+
+mod right_hand_sides;
+
+pub use right_hand_sides::{
+    Comparison, Point, RightHandSide, Wrong, right_hand_side, right_hand_sides,
+};
 
 /// A right method of the file, or a mistake in one.
 #[derive(Clone, Debug, PartialEq)]
