@@ -17,6 +17,9 @@ SMALL = mpf(10) ** -20
 # What the differences leave of 60 digits, and what is not nothing.
 NOTHING, SOMETHING = mpf(10) ** -35, mpf(10) ** -3
 EPSILON = {"double": mpf(2) ** -52, "single": mpf(2) ** -23}
+# A program has a mistake if it is within so many tolerances of it, whose size is the larger one of
+# the right numbers and the wrong: the tolerance is that of the right formulas.
+OF_A_MISTAKE = 4
 # No two entries are nearer to each other than so many tolerances in single precision.
 APART = 10
 # What the effects say by "right only where …", as expressions.
@@ -57,6 +60,7 @@ class Checks:
     def __init__(self, written, fail):
         self.written, self.fail, self.numbers = written, fail, 0
         self.strayed = {"double": (0.0, ""), "single": (0.0, "")}
+        self.wrong_strayed = 0.0, ""
         self.second = mpf(0)
         self.nearest = math.inf, ""
 
@@ -75,6 +79,8 @@ class Checks:
         print(f"right-hand sides: {self.numbers} numbers, largest difference {worst}")
         for kind, (far, where) in self.strayed.items():
             print(f"  plain programs, {kind}: at most {far:.2f} of a tolerance ({where})")
+        far, where = self.wrong_strayed
+        print(f"  wrong programs: at most {far:.2f} of {OF_A_MISTAKE} tolerances ({where})")
         far, where = self.nearest
         print(f"  the nearest are {far:.3g} tolerances of single precision apart: {where}")
 
@@ -95,8 +101,8 @@ class Checks:
         inputs = system.inputs(point, arb)
         rates, energy = mechanics.right(system, inputs)
         shown = right_hand_sides.SHOWN
-        for text, ball in zip([row[name] for name in system.rates] + [row["energy"]], [*rates, energy]):
-            self.same(system, text, ball, shown)
+        for name, ball in zip([*system.rates, "energy"], [*rates, energy]):
+            self.same(system, row[name], ball, shown)
         size = max(abs(mpf(row[name])) for name in system.rates)
         tall = max(abs(mpf(row["energy"])), system.depth(point[0]))
         for form, text in system.forms.items():
@@ -131,21 +137,36 @@ class Checks:
             self.fail(where, f"in plain {kind} precision off by {far} tolerances")
 
     def wrong_numbers(self, system):
-        """Those of the mistakes: the same texts by Arb's balls."""
+        """Those of the mistakes: the same texts by Arb's balls, and in plain programs."""
         written = self.written[system.name]
-        digits = right_hand_sides.SHOWN_WRONG
-        for row, mistake in zip(written["mistakes"], system.mistakes, strict=True):
-            text = system.formula(mistake, system.forms)
-            for i, point in enumerate(system.points):
-                inputs = system.inputs(point, arb)
-                balls = right_hand_sides.values(text, inputs, system.rates, arbs())
-                for name, ball in zip(system.rates, balls):
-                    self.same(system, row[name][i], ball, digits)
-        for row, mistake in zip(written["energy_mistakes"], system.energy_mistakes, strict=True):
-            text = system.formula(mistake, system.energies)
-            for i, point in enumerate(system.points):
-                ball = right_hand_sides.above_rest(text, system, point, arbs(), arb)
-                self.same(system, row["energy"][i], ball, digits)
+
+        def rates(text, point, library, number):
+            inputs = system.inputs(point, number)
+            return right_hand_sides.values(text, inputs, system.rates, library)
+
+        def energy(text, point, library, number):
+            return [right_hand_sides.above_rest(text, system, point, library, number)]
+
+        for key, mistakes, forms, names, evaluate in (
+            ("mistakes", system.mistakes, system.forms, system.rates, rates),
+            ("energy_mistakes", system.energy_mistakes, system.energies, ["energy"], energy),
+        ):
+            for row, mistake in zip(written[key], mistakes, strict=True):
+                text = system.formula(mistake, forms)
+                for i, point in enumerate(system.points):
+                    balls = evaluate(text, point, arbs(), arb)
+                    for name, ball in zip(names, balls):
+                        self.same(system, row[name][i], ball, right_hand_sides.SHOWN_WRONG)
+                    for kind, real in (("double", float), ("single", numpy.float32)):
+                        found = evaluate(text, point, plain(real), plain(real)["number"])
+                        there = {name: {i: float(x)} for name, x in zip(names, found)}
+                        off = self.distance(system, names, i, row, there, EPSILON[kind])
+                        self.wrong_stray(off / OF_A_MISTAKE, f"{system.name}, {row['name']}")
+
+    def wrong_stray(self, far, where):
+        self.wrong_strayed = max(self.wrong_strayed, (far, where))
+        if far > 1:
+            self.fail(where, f"a plain program is off by {far} times what is allowed")
 
     def power(self, system, energy, rates, point):
         """The rate at which the energy of one text changes along the rates of another."""
@@ -229,30 +250,31 @@ class Checks:
             )
             # The conditions are those above: nothing from outside is evaluated.
             if (off < NOTHING) != eval(condition, {"__builtins__": {}} | names):
-                self.fail(system.name, mistake["name"], "in", group, "is not so:", mistake["effect"])
+                self.said(system, mistake, False)
 
     def distances(self, system):
         """How far entries are from each other, at the point where it is most."""
         rows = self.written[system.name]["answers"]
-        for key, names, allowed in (
-            ("mistakes", system.rates, "tolerance"),
-            ("energy_mistakes", ["energy"], "energy_tolerance"),
-        ):
+        for key, names in (("mistakes", system.rates), ("energy_mistakes", ["energy"])):
             right = {name: [row[name] for row in rows] for name in names}
             entries = [{"name": "right"} | right, *self.written[system.name][key]]
             for a, b in itertools.combinations(entries, 2):
                 far = max(
-                    self.distance(system, names, allowed, i, row, a, b) for i, row in enumerate(rows)
+                    self.distance(system, names, i, a, b, EPSILON["single"])
+                    for i in range(len(rows))
                 )
-                self.nearest = min(
-                    self.nearest, (far, f"{system.name}, {key}, {a['name']} and {b['name']}")
-                )
+                where = f"{system.name}, {key}, {a['name']} and {b['name']}"
+                self.nearest = min(self.nearest, (far, where))
                 if far < APART:
-                    self.fail(system.name, a["name"], "and", b["name"], f"are {far:.2g} apart")
+                    self.fail(where, f"are {far:.2g} tolerances apart")
 
-    def distance(self, system, names, allowed, i, row, a, b):
-        size = max(abs(float(row[name])) for name in names)
+    def distance(self, system, names, i, a, b, epsilon):
+        """Between two entries at a point, in tolerances: the larger of both is their size, and at
+        least the right numbers are."""
+        row = self.written[system.name]["answers"][i]
+        size = max(abs(float(x)) for name in names for x in (row[name], a[name][i], b[name][i]))
+        tolerance = row["tolerance"]
         if names == ["energy"]:
-            size = max(size, float(system.depth(row["set"])))
+            size, tolerance = max(size, float(system.depth(row["set"]))), row["energy_tolerance"]
         off = max(abs(float(a[name][i]) - float(b[name][i])) for name in names)
-        return off / (size * int(row[allowed]) * float(EPSILON["single"]))
+        return off / (size * int(tolerance) * float(epsilon))

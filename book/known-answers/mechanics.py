@@ -1,8 +1,8 @@
 """The right-hand sides once more: from where the bobs are, by d'Alembert's principle.
 
 No formula of an acceleration is used. For trial accelerations the bobs' own follow from their
-positions as series in the time; Σ m (r̈ − g) · ∂r/∂θⱼ is what the other forces do on ∂θⱼ, and linear
-in the trial. Momenta and their rates follow from the energy of the bobs, by differences.
+positions as series in the time; Σ m (r̈ − g) · ∂r/∂θⱼ is what the other forces do on ∂θⱼ, and it is
+linear in the trial. Momenta and their rates follow from the energy of the bobs, by differences.
 """
 
 import flint

@@ -72,6 +72,10 @@ pub struct Wrong {
     pub numbers: Vec<Vec<f64>>,
 }
 
+/// A program has a mistake if it is within so many tolerances of it: they are measured on the right
+/// formulas, and wrong ones may round more. Entries are 10 apart, in single precision.
+const OF_A_MISTAKE: f64 = 4.0;
+
 /// What a program's right-hand side or energy is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Comparison {
@@ -108,15 +112,18 @@ impl Point {
         self.energy_beside(self.energy, above_rest, epsilon)
     }
 
+    /// How far `rates` are from `those`, in tolerances: the larger of these and the right ones is
+    /// their size.
     fn beside(&self, those: &[f64], rates: &[f64], epsilon: f64) -> f64 {
         assert_eq!(rates.len(), those.len(), "as many numbers as the system has rates");
-        let size = self.rates.iter().fold(0.0, |size, rate| f64::max(size, rate.abs()));
+        let both = self.rates.iter().chain(those);
+        let size = both.fold(0.0, |size, rate| f64::max(size, rate.abs()));
         let off = |sum: f64, (x, y): (&f64, &f64)| libm::fmaximum(sum, (x - y).abs());
         rates.iter().zip(those).fold(0.0, off) / (self.tolerance * epsilon * size)
     }
 
     fn energy_beside(&self, that: f64, above_rest: f64, epsilon: f64) -> f64 {
-        let size = self.energy.abs().max(self.depth);
+        let size = self.energy.abs().max(self.depth).max(that.abs());
         (above_rest - that).abs() / (self.energy_tolerance * epsilon * size)
     }
 }
@@ -161,7 +168,8 @@ impl RightHandSide {
         off: impl Fn(&Point, usize, &Wrong) -> f64,
     ) -> Comparison {
         let agrees = |wrong: &&Wrong| {
-            self.points.iter().enumerate().all(|(i, point)| off(point, i, wrong) <= 1.0)
+            let mut points = self.points.iter().enumerate();
+            points.all(|(i, point)| off(point, i, wrong) <= OF_A_MISTAKE)
         };
         let found: Vec<&Wrong> = mistakes.iter().filter(agrees).collect();
         match (right, found.is_empty()) {
