@@ -22,23 +22,24 @@ EPSILON = {"double": mpf(2) ** -52, "single": mpf(2) ** -23}
 OF_A_MISTAKE = 4
 # No two entries are nearer to each other than so many tolerances in single precision.
 APART = 10
-# What the effects say by "right only where …", as expressions.
+# What the effects say by "right only where …", as what makes it so in the set `uneven`, whose
+# parameters all differ.
 CONDITIONS = {
-    "both lengths are 1": "l1 == l2 == 1",
-    "both masses are 1": "m1 == m2 == 1",
-    "g = 1": "g == 1",
-    "g = 9.81": "g == mpf('9.81')",
-    "g = l": "g == l",
-    "g/l = 9.81": "g/l == mpf('9.81')",
-    "l = 1": "l == 1",
-    "l₁ = 1": "l1 == 1",
-    "l₁ = l₂": "l1 == l2",
-    "m = 1": "m == 1",
-    "m l = 1": "m*l == 1",
-    "m l² = 1": "m*l*l == 1",
-    "m₁ = m₂": "m1 == m2",
-    "m₂ = 1": "m2 == 1",
-    "Ω = 1": "frequency == 1",
+    "both lengths are 1": {"l1": "1", "l2": "1"},
+    "both masses are 1": {"m1": "1", "m2": "1"},
+    "g = 1": {"g": "1"},
+    "g = 9.81": {"g": "9.81"},
+    "g = l": {"g": "1.75"},
+    "g/l = 9.81": {"g": "19.62", "l": "2"},
+    "l = 1": {"l": "1"},
+    "l₁ = 1": {"l1": "1"},
+    "l₁ = l₂": {"l2": "1.5"},
+    "m = 1": {"m": "1"},
+    "m l = 1": {"m": "0.5", "l": "2"},
+    "m l² = 1": {"m": "0.25", "l": "2"},
+    "m₁ = m₂": {"m2": "1.25"},
+    "m₂ = 1": {"m2": "1"},
+    "Ω = 1": {"frequency": "1"},
 }
 
 
@@ -54,6 +55,10 @@ def arbs():
 def plain(real):
     names = {name: getattr(numpy, name) for name in ("sin", "cos", "sqrt")}
     return names | {"number": lambda x: real(float(x)), "pi": real(numpy.pi)}
+
+
+def overridden(overrides):
+    return {key: mpf(text) for key, text in overrides.items()}
 
 
 class Checks:
@@ -216,8 +221,23 @@ class Checks:
                     for rates, point in zip(wrong, system.points)
                 ]
                 self.said(system, mistake, max(changes) > SOMETHING)
-            self.right_where(system, mistake, right, wrong)
-        exact = [[right_hand_sides.above_rest(energy, system, p)] for p in system.points]
+
+            def difference(overrides, text=text):
+                return max(
+                    abs(a - b)
+                    for point in system.points
+                    if point[0] == "uneven"
+                    for a, b in zip(
+                        *(
+                            right_hand_sides.values(
+                                one, system.inputs(point) | overridden(overrides), system.rates
+                            )
+                            for one in (form, text)
+                        )
+                    )
+                )
+
+            self.right_where(system, mistake, difference)
         for mistake in system.energy_mistakes:
             text = system.formula(mistake, system.energies)
             changes = max(
@@ -228,29 +248,32 @@ class Checks:
                 self.said(system, mistake, changes > SOMETHING)
             elif mistake["effect"].startswith("conserved"):
                 self.said(system, mistake, changes < NOTHING)
-            wrong = [[right_hand_sides.above_rest(text, system, p)] for p in system.points]
-            self.right_where(system, mistake, exact, wrong)
+
+            def difference(overrides, text=text):
+                parameters = overridden(overrides)
+                return max(
+                    abs(
+                        right_hand_sides.above_rest(energy, system, point, parameters=parameters)
+                        - right_hand_sides.above_rest(text, system, point, parameters=parameters)
+                    )
+                    for point in system.points
+                    if point[0] == "uneven"
+                )
+
+            self.right_where(system, mistake, difference)
 
     def said(self, system, mistake, holds):
         if not holds:
             self.fail(system.name, mistake["name"], "is not so:", mistake["effect"])
 
-    def right_where(self, system, mistake, right, wrong):
+    def right_where(self, system, mistake, evaluate):
+        """Whether it is right where its effect says so, and nowhere else. `evaluate` has the
+        difference from the right numbers, the largest at the points, with such parameters."""
         _, only, said = mistake["effect"].partition("right only where ")
-        if not only:
-            return
-        condition = CONDITIONS[said.split(",")[0]]
-        for group, parameters in system.table["sets"].items():
-            names = {key: mpf(text) for key, text in parameters.items()} | {"mpf": mpf}
-            off = max(
-                abs(a - b)
-                for x, y, (at, _) in zip(right, wrong, system.points)
-                if at == group
-                for a, b in zip(x, y)
-            )
-            # The conditions are those above: nothing from outside is evaluated.
-            if (off < NOTHING) != eval(condition, {"__builtins__": {}} | names):
-                self.said(system, mistake, False)
+        if only:
+            overrides = CONDITIONS[said.split(",")[0]]
+            holds = evaluate(overrides) < NOTHING and evaluate({}) > SOMETHING
+            self.said(system, mistake, holds)
 
     def distances(self, system):
         """How far entries are from each other, at the point where it is most."""

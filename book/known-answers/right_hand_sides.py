@@ -95,9 +95,10 @@ def values(text, inputs, results, library=REAL):
     return [names[name] for name in results]
 
 
-def above_rest(text, system, point, library=REAL, number=mpf):
-    """The energy that a formula says, less what it says where all hang at rest."""
-    inputs = system.inputs(point, number)
+def above_rest(text, system, point, library=REAL, number=mpf, parameters=None):
+    """The energy that a formula says, less what it says where all hang at rest; with other
+    parameters than the point's, if there are some."""
+    inputs = system.inputs(point, number) | (parameters or {})
     rest = inputs | {name: number("0") for name in system.state}
     there, here = (values(text, at, ["energy"], library)[0] for at in (rest, inputs))
     return here - there

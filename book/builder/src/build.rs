@@ -151,6 +151,18 @@ impl Subscriber for Collector {
 mod tests {
     use super::*;
 
+    /// Catches: a page that loads what it does not read, or that lost what it reads.
+    #[test]
+    fn the_script_of_the_form_has_the_steps_alone() {
+        let text = include_str!("../../../snapshots/known-answers.json");
+        let file: Value = serde_json::from_str(text).unwrap();
+        let steps = of_steps(file.clone());
+        assert!(steps.to_string().len() < file.to_string().len() * 3 / 4);
+        let mut missing = file.as_object().unwrap().clone();
+        missing.retain(|key, value| steps.get(key) != Some(&*value));
+        assert_eq!(missing.keys().collect::<Vec<_>>(), ["right_hand_sides"]);
+    }
+
     /// Catches: a collector that receives nothing, and one that also receives other crates' events
     /// or mere information.
     #[test]
