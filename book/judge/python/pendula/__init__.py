@@ -13,22 +13,44 @@
 :func:`judge` takes a method of equal steps, :func:`judge_rate` one that is written for first-order
 equations, :func:`judge_solver` a solver with a tolerance. :func:`serve` makes a script a program
 for the command `pendula verify`.
+
+Without the program, :func:`identify` says which integrator, or which mistake, the numbers after one
+step are of, and :func:`check_right_hand_side` and :func:`check_energy` which usual mistake there is
+in the accelerations and the energy of pendulums. Both read :func:`known_answers`.
 """
 
 from .answers import NotJudged
 from .equation import Force, Rate, State
 from .judging import Property, Report, judge, judge_rate, judge_solver, program, serve
+from .known import (
+    Compared,
+    Entry,
+    Identity,
+    WrongTerm,
+    check_energy,
+    check_right_hand_side,
+    identify,
+    known_answers,
+)
 
 __all__ = [
+    "Compared",
+    "Entry",
     "Force",
+    "Identity",
     "NotJudged",
     "Property",
     "Rate",
     "Report",
     "State",
+    "WrongTerm",
+    "check_energy",
+    "check_right_hand_side",
+    "identify",
     "judge",
     "judge_rate",
     "judge_solver",
+    "known_answers",
     "program",
     "serve",
 ]

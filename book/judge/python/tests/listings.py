@@ -17,7 +17,7 @@ def run(page, library=""):
     names = {}
     for listing in listings(page):
         imported = set(re.findall(r"^(?:import|from) (\w+)", listing, flags=re.MULTILINE))
-        if imported <= {"pendula", library}:
+        if imported <= {"math", "pendula", library}:
             exec(compile(listing, page, "exec"), names)
     return names
 

@@ -2,11 +2,13 @@
 is neither has none."""
 
 import math
+import runpy
 import struct
+from pathlib import Path
 
 import pytest
-
-from pendula.known import check_energy, check_right_hand_side, identify, known_answers
+from listings import listings, run
+from pendula import check_energy, check_right_hand_side, identify, known_answers
 
 SINGLE = 2.0**-23
 FILE = known_answers()
@@ -123,9 +125,9 @@ def test_few_digits_have_no_false_name():
 
 
 def test_what_cannot_be_asked_is_refused():
-    with pytest.raises(ValueError, match="1 steps of 0.125"):
+    with pytest.raises(ValueError, match=r"1 steps of 0\.125"):
         identify(1.0, 0.4, h=0.1)
-    with pytest.raises(ValueError, match="'swimming'.*swinging"):
+    with pytest.raises(ValueError, match=r"'swimming'.*swinging"):
         identify(1.0, 0.4, scene="swimming")
     with pytest.raises(ValueError, match="double-pendulum"):
         check_right_hand_side("triple-pendulum", lambda z: 0.0)
@@ -225,6 +227,34 @@ def test_programs_with_their_own_parameters():
         "pendulum", lambda z: -(9.81**2) * math.sin(z.theta), parameters="usual"
     )
     assert [term.name for term in root.mistakes] == ["square-of-g-over-l"]
+
+
+def test_the_example():
+    """The one beside the file, which the README of the package names.
+
+    Catches: an example that does not run, or with which a wrong program passes."""
+    root = Path(__file__).resolve().parents[4]
+    example = runpy.run_path(str(root / "book/known-answers/examples/test_double_pendulum.py"))
+    example["test_accelerations"]()
+    example["accelerations"].__globals__["cos"] = math.sin
+    with pytest.raises(AssertionError, match="double-pendulum: "):
+        example["test_accelerations"]()
+
+
+def test_the_readme_says_what_is_found(capsys):
+    """Catches: a sentence of the README that the package does not say."""
+    page = "book/judge/python/README.md"
+    run(page)
+    said = capsys.readouterr().out
+    told = [
+        line[2:]
+        for listing in listings(page)[2:]
+        for line in listing.splitlines()
+        if line.startswith("# ")
+    ]
+    assert len(told) == 2
+    for words in told:
+        assert words.removesuffix(" ...") in said
 
 
 def test_energies():
