@@ -69,6 +69,9 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
     pub ended: Option<String>,
+    /// Two counts of evaluations for the same answers to the same requests, the first and the
+    /// second time, if they differ. Such counts are left out.
+    pub miscount: Option<[u64; 2]>,
 }
 
 /// 10⁻³, half a decade apart.
@@ -95,14 +98,15 @@ const FEWEST: i32 = 3;
 impl Ladder {
     /// Asks as far as patience allows.
     pub fn of(asked: Asked<'_>) -> Measured<Self> {
-        let mut ladder = Self { scenes: asked.scenes, rungs: Vec::new(), ended: None };
+        let mut ladder =
+            Self { scenes: asked.scenes, rungs: Vec::new(), ended: None, miscount: None };
         let mut last = Duration::ZERO;
         let allowed = asked.solver.patience() / 4;
         for k in 0..RUNGS {
             let tolerance = tolerance(k);
             let begun = Instant::now();
             match rung(asked, tolerance) {
-                Ok(rung) => ladder.rungs.push(rung),
+                Ok(rung) => ladder.push(asked, rung)?,
                 // A tolerance may be too loose for it.
                 Err(Trouble::NoAnswer(_)) if ladder.rungs.is_empty() && k + 1 < RUNGS => continue,
                 Err(Trouble::NoAnswer(why)) if !ladder.rungs.is_empty() => {
@@ -131,6 +135,27 @@ impl Ladder {
             ladder.rungs.iter_mut().for_each(|rung| rung.evaluations = None);
         }
         Ok(ladder)
+    }
+
+    /// Adds a rung; the first is asked for again at once.
+    fn push(&mut self, asked: Asked<'_>, mut new: Rung) -> Measured<()> {
+        if self.rungs.is_empty() {
+            let again = rung(asked, new.tolerance)?;
+            let counts = new.evaluations.zip(again.evaluations);
+            self.miscount =
+                counts.filter(|(a, b)| a != b && new.ends == again.ends).map(<[u64; 2]>::from);
+        }
+        if self.miscount.is_some() {
+            new.evaluations = None;
+            new.rounding = self.scenes.rounding(new.a_run());
+        }
+        self.rungs.push(new);
+        Ok(())
+    }
+
+    /// Whether somebody counts evaluations.
+    pub fn counts(&self) -> bool {
+        self.rungs.iter().all(|rung| rung.evaluations.is_some_and(|n| n > 0))
     }
 
     /// The line through points of the rungs that tell: of the last [`LAST`], as longer steps bend

@@ -87,6 +87,14 @@ const CAUSES: &[Known] = &[
         "Backwards it is wrong: look at the sign of the step where times are compared."
     ),
     says!("rows", OUTPUT, "Rows are missing, or not those of their times: see the property rows."),
+    ("repeatable", |_, found| {
+        let [first, second] = found.ladder.miscount?;
+        let sentence = format!(
+            "The same requests count {first} evaluations the first time and {second} the second: \
+             something is kept from one request to the next."
+        );
+        Some((sentence, &["repeatable"]))
+    }),
     says!(
         "repeatable",
         &["free-outputs"],
@@ -94,16 +102,22 @@ const CAUSES: &[Known] = &[
          next, or random."
     ),
     says!("free-outputs", &[], "Asking for outputs changes the run."),
-    ("crossings", |_, found| {
-        let sentence = "Every second crossing is missed.".to_string();
-        found.only_one_way.then_some((sentence, &["crossings"][..]))
+    ("crossings", |report, found| {
+        let passages = found.passages.as_ref()?;
+        let sentence = match (passages.only_one_way(), passages.only_elsewhere()) {
+            (true, _) => "Every second crossing is missed.",
+            (_, true) if fails(report, "start") => return None,
+            (_, true) => {
+                "Passages through zero are right from t₀ = 0 on and wrong from another: t₀ is not \
+                 heeded there, or time has too few digits."
+            }
+            _ => {
+                "Passages through zero are not those of the run, which are to be found within each \
+                 step, on what outputs come from: see the property crossings."
+            }
+        };
+        Some((sentence.to_string(), &["crossings"]))
     }),
-    says!(
-        "crossings",
-        &[],
-        "Passages through zero are not those of the run, which are to be found within each \
-         step, on what outputs come from: see the property crossings."
-    ),
     ("many", |report, _| {
         let finding = report.finding("many")?;
         let is_right = finding.values.first()? <= finding.bound.as_ref()?;
@@ -118,12 +132,16 @@ const CAUSES: &[Known] = &[
         "The mirrored run is not the mirror of the run, as where the error of a step has a sign \
          and its size is meant."
     ),
-    says!(
-        "driven",
-        &[],
-        "Under a drive it is wrong: the force, or the times at which the stages ask for it."
-    ),
+    ("driven", |report, found| {
+        let [start, back] = ["start", "back"].map(|name| fails(report, name));
+        Some((found.driven.as_ref()?.cause(start, back)?.to_string(), &[]))
+    }),
 ];
+
+/// Whether this property fails.
+fn fails(report: &Report, name: &str) -> bool {
+    report.finding(name).is_some_and(|it| it.verdict == Verdict::Fails)
+}
 
 /// An error that falls no more.
 fn no_further(floor: Floor) -> Cause {

@@ -12,11 +12,15 @@ mod rows;
 mod same;
 mod steps;
 
-#[cfg(feature = "zoo")]
-pub(crate) use asked::errors;
 use asked::{Asked, Scenes};
+#[cfg(feature = "zoo")]
+pub(crate) use asked::{errors, single};
+use crossings::Passages;
+use driven::Driven;
 use ladder::Ladder;
 use outputs::Outputs;
+#[cfg(feature = "zoo")]
+pub(crate) use outputs::PARTS;
 
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::Solver;
@@ -71,7 +75,8 @@ struct Found {
     scenes: Scenes,
     ladder: Ladder,
     outputs: Option<Outputs>,
-    only_one_way: bool,
+    passages: Option<Passages>,
+    driven: Option<Driven>,
     /// The state of the rotation after half the time, at the last tolerance.
     halfway: Option<Phase>,
 }
@@ -163,8 +168,8 @@ impl Judge<'_> {
         let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
         self.note("free-outputs", free, rows::free(asked, &ladder, claims.free_outputs))?;
         self.note("rows", implied(), rows::all(asked, &ladder))?;
-        let passages = crossings::Passages::of(asked, &ladder);
-        let found = passages.as_ref().map(crossings::Passages::finding).map_err(Trouble::clone);
+        let passages = Passages::of(asked, &ladder);
+        let found = passages.as_ref().map(Passages::finding).map_err(Trouble::clone);
         let claimed = claims.crossings.then(|| "crossings".to_string()).or(if_had(&found));
         self.note("crossings", claimed, found)?;
         self.note("back", implied(), same::back(asked, &ladder))?;
@@ -173,8 +178,9 @@ impl Judge<'_> {
         self.note("mirror", implied(), same::mirror(asked, &ladder))?;
         self.note("turn", implied(), same::turn(asked, &ladder))?;
         self.note("repeatable", implied(), same::repeatable(asked, &ladder))?;
-        let driven = driven::finding(asked, &ladder);
-        self.note("driven", if_had(&driven), driven)?;
+        let driven = Driven::of(asked, &ladder, outputs.as_ref().ok());
+        let found = driven.as_ref().map(Driven::finding).map_err(Trouble::clone);
+        self.note("driven", if_had(&found), found)?;
         self.note("many", implied(), rows::many(asked, &ladder))?;
         self.note("effort", None, steps::effort(&ladder))?;
         let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
@@ -184,10 +190,10 @@ impl Judge<'_> {
             outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
         self.report.departure = equation::departure(asked, &ladder);
         let halfway = halfway(asked, &ladder);
-        let only_one_way = passages.is_ok_and(|passages| passages.only_one_way());
         let refusal = refusal::finding(asked);
         self.note("refusal", if_had(&refusal), refusal)?;
-        Ok(Found { scenes: asked.scenes, ladder, outputs, only_one_way, halfway })
+        let (passages, driven) = (passages.ok(), driven.ok());
+        Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
     }
 }
 

@@ -1,6 +1,6 @@
 //! States between the steps: whether they are as good as the steps.
 
-use super::asked::{Asked, Power, evenly, largest_of, power};
+use super::asked::{self, Asked, Power, evenly, largest_of, power, single};
 use super::ladder::Ladder;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
@@ -9,7 +9,7 @@ use crate::judge::verdict::{Measured, Verdict};
 pub const OUTPUTS: u32 = 1000;
 /// In each of so many parts of the run lies the end of a step, unless the steps are longer than
 /// half a second.
-const PARTS: usize = 20;
+pub const PARTS: usize = 20;
 /// The tolerances through whose outputs a line is drawn: five decades.
 const LAST: usize = 6;
 /// Runs that end where another has outputs.
@@ -38,6 +38,8 @@ pub struct Outputs {
     interpolated_end: bool,
     /// The degree of the polynomials on which outputs lie, where they are worse than steps.
     degree: Option<usize>,
+    /// Whether they are right to seven digits, and numbers of single precision.
+    single: bool,
 }
 
 impl Outputs {
@@ -45,11 +47,18 @@ impl Outputs {
     pub fn of(asked: Asked<'_>, ladder: &Ladder) -> Measured<Self> {
         let start = asked.scenes.starts[0];
         let times = evenly(OUTPUTS, asked.scenes.duration);
-        let mut outputs =
-            Self { compared: Vec::new(), run: Vec::new(), interpolated_end: false, degree: None };
+        let mut outputs = Self {
+            compared: Vec::new(),
+            run: Vec::new(),
+            interpolated_end: false,
+            degree: None,
+            single: true,
+        };
         for rung in ladder.quick().step_by(2) {
             let request = asked.scenes.run(start, rung.tolerance).to(&times);
-            let errors = asked.errors(&request)?;
+            let states = asked.reply(&request)?.states;
+            outputs.single &= single(&states[..states.len() - 1]);
+            let errors = asked::errors(&request, &states);
             let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
             let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
             // The end itself is no state between steps.
@@ -67,6 +76,8 @@ impl Outputs {
                 outputs.run = times.iter().copied().zip(errors).collect();
             }
         }
+        // A start that is handed out again and again may be a number of any precision.
+        outputs.single &= outputs.compared.iter().any(|it| it.outputs < SINGLE);
         let worse = outputs.ratios().filter(|(ratio, _)| *ratio > WORSE);
         let tightest = worse.last().map(|(_, it)| *it);
         if let Some(worse) = tightest {
@@ -81,6 +92,13 @@ impl Outputs {
             outputs.degree = degree(asked, ladder)?;
         }
         Ok(outputs)
+    }
+
+    /// What the error of outputs with this tolerance may be (rad): the largest at it and at its
+    /// neighbours, 0 where there are none.
+    pub fn error_at(&self, tolerance: f64) -> f64 {
+        let near = |it: &&Compared| (libm::log10(it.tolerance / tolerance)).abs() < 1.1;
+        self.compared.iter().filter(near).map(|it| it.outputs).fold(0.0, libm::fmaximum)
     }
 
     /// How many times worse than it may be the worst output is, tolerance by tolerance. It may be
@@ -112,6 +130,9 @@ impl Outputs {
 
     /// Why they are worse than the steps.
     pub fn cause(&self) -> String {
+        if self.single {
+            return "Outputs between steps are numbers of single precision.".to_string();
+        }
         let power = self.power().filter(|power| power.value > 0.7);
         let what = match (self.degree, power) {
             (None, None) => {
@@ -135,6 +156,16 @@ impl Outputs {
             return Finding::nothing("no run is accurate enough to tell".to_string());
         };
         let Compared { tolerance, outputs, steps, .. } = *worst;
+        if self.single {
+            let measured = format!(
+                "states between steps are numbers of single precision, off by {} rad at a \
+                 tolerance of {}",
+                scientific(outputs),
+                about(tolerance)
+            );
+            let why = "a double has sixteen digits, and a single seven".to_string();
+            return Finding { measured, why, ..Finding::number(ratio, "", HOLDS, Verdict::Fails) };
+        }
         let verdict = Verdict::of(ratio, HOLDS, WORSE);
         let power =
             self.power().map(|power| format!("; they fall with the power {}", in_words(power)));
@@ -158,6 +189,8 @@ impl Outputs {
 /// Up to this ratio outputs are as good as steps: the error swings with the motion by a factor of 2
 /// or 3, and a step more or less makes as much. In a thousand scenes right solvers come to 6.9.
 const HOLDS: f64 = 8.0;
+/// What single precision makes of a state of up to 64 rad, and ten times as much (rad).
+const SINGLE: f64 = 4e-5;
 /// Beyond this ratio they are worse.
 const WORSE: f64 = 10.0;
 

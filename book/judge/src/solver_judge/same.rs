@@ -107,7 +107,8 @@ pub fn turn(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     off(ladder, "from ten turns on", error, 10.0 * ladder.usual_error()? * TURNS * TAU)
 }
 
-/// Whether three rungs of the ladder come out the same when they are asked for again.
+/// Whether three rungs of the ladder come out the same when they are asked for again, and whether
+/// the first counted the same evaluations.
 pub fn repeatable(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     let Scenes { starts, duration, .. } = asked.scenes;
     let mut others = 0;
@@ -118,10 +119,17 @@ pub fn repeatable(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
             others += u32::from(asked.reply(&request)?.states[0] != before);
         }
     }
-    let (verdict, measured) = match others {
-        0 => (Verdict::Holds, "the same answers to the same questions".to_string()),
+    let (verdict, measured) = match (others, ladder.miscount) {
+        (0, None) => (Verdict::Holds, "the same answers to the same questions".to_string()),
+        (0, Some([first, second])) => (
+            Verdict::Fails,
+            format!(
+                "the same answers, with {first} evaluations the first time and {second} the second"
+            ),
+        ),
         _ => (Verdict::Fails, format!("{others} of 9 answers are others the second time")),
     };
+    others += u32::from(ladder.miscount.is_some());
     let why = "each request starts afresh".to_string();
     Ok(Finding { measured, why, ..Finding::number(f64::from(others), "", 0.0, verdict) })
 }

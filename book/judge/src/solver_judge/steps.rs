@@ -1,15 +1,13 @@
 //! What the ladder of tolerances tells: whether the tolerance is kept, the power of the estimate,
 //! the order, the precision and the effort.
 
-use super::asked::Power;
+use super::asked::{Asked, Power, single};
 use super::ladder::{Ladder, Rung};
 use super::outputs::{in_words, rounded};
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::{ByTolerance, Solver};
 use pendula::methods::{Dop853, DormandPrince};
-
-use super::asked::Asked;
 
 /// By what the error, a mean of nine runs, may rise from one tolerance to a smaller one. That of
 /// right solvers rises by up to 3: some of the nine errors may vanish by chance.
@@ -100,17 +98,18 @@ fn reference(ladder: &Ladder, solver: &dyn Solver) -> Ladder {
         scenes: ladder.scenes,
         rungs: Vec::new(),
         ended: None,
+        miscount: None,
     })
 }
 
 /// An error if nobody counts.
 fn counted(ladder: &Ladder) -> Measured<()> {
-    match ladder.rungs.iter().all(|rung| rung.evaluations.is_some_and(|n| n > 0)) {
-        true => Ok(()),
-        false => Err(Trouble::NoAnswer(
-            "no count of evaluations that grows as its tolerance falls".to_string(),
-        )),
-    }
+    let why = match ladder.miscount {
+        Some(_) => "the same request counts other evaluations the second time",
+        None if ladder.counts() => return Ok(()),
+        None => "no count of evaluations that grows as its tolerance falls",
+    };
+    Err(Trouble::NoAnswer(why.to_string()))
 }
 
 fn too_few() -> Trouble {
@@ -202,24 +201,15 @@ pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     Ok(Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() })
 }
 
-/// Whether all ends are numbers of single precision, which is no chance.
-pub fn single(ladder: &Ladder) -> bool {
-    let mut numbers =
-        ladder.rungs.iter().flat_map(|rung| rung.ends).flat_map(|z| [z.theta, z.omega]);
-    numbers.all(|x| f64::from(x as f32) == x)
-}
-
 /// The smallest error that it comes to.
 pub fn precision(ladder: &Ladder) -> Finding {
     let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
-    let verdict = if single(ladder) { Verdict::Fails } else { Verdict::Holds };
-    let measured = match single(ladder) {
-        true => format!(
-            "its states are numbers of single precision, off by {} rad at best",
-            scientific(least)
-        ),
-        false => format!("off by {} rad at best", scientific(least)),
+    let ends: Vec<_> = ladder.rungs.iter().flat_map(|rung| rung.ends).collect();
+    let (verdict, what) = match single(&ends) {
+        true => (Verdict::Fails, "its states are numbers of single precision, "),
+        false => (Verdict::Holds, ""),
     };
+    let measured = format!("{what}off by {} rad at best", scientific(least));
     let why = "a double has sixteen digits, and a single seven".to_string();
     Finding { measured, values: vec![least], unit: "rad", verdict, why, ..Finding::default() }
 }

@@ -1,10 +1,13 @@
 //! Answers of solvers, recorded: so that a judgement can be repeated where the solver is not.
 //!
-//! Of an answer of a few rows all bits are kept; of a long one the size of each error, to a fifth
-//! of a decade, and the bits of the last row; of a very long one the largest error alone. What is
-//! read back differs from what was recorded by no more than that, along θ.
+//! Of an answer of a few rows all bits are kept. Of a long one the judge looks at the smallest and
+//! the largest error of each twentieth, at the last row, and at whether the others are numbers of
+//! single precision; so these are kept, errors to a fifth of a decade. Of an answer of too few or
+//! too many rows, or with one that is not finite, their number is kept. Passages through zero are
+//! kept to 10⁻¹⁴, a hundredth of the least that they are held to. What is read back differs from
+//! what was recorded by no more than that.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fmt::Display;
 
@@ -12,13 +15,11 @@ use pendula::systems::Phase;
 
 use crate::judge::probe::exact;
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::solver_judge::errors;
+use crate::solver_judge::{PARTS, errors, single};
 use crate::stranger::{Fault, Reply};
 
 /// Up to so many rows are kept to the bit.
 const SHORT: usize = 12;
-/// Of more than so many only the largest error is kept.
-const LONG: usize = 2000;
 
 /// The characters that stand for errors: from '!' for 10⁻¹⁸ rad on, five to the decade.
 fn character(error: f64) -> char {
@@ -30,28 +31,57 @@ fn size(character: char) -> f64 {
     libm::pow(10.0, (f64::from(u32::from(character)) - f64::from(b'!')) / 5.0 - 18.0)
 }
 
-/// A number that tells requests apart (FNV-1a).
-fn key(request: &impl Display) -> String {
+/// A number that tells requests apart (FNV-1a, folded to half).
+fn key(request: &str) -> String {
     let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-    let hash = request.to_string().bytes().fold(0xcbf2_9ce4_8422_2325, mix);
-    format!("{hash:016x}")
+    let hash = request.bytes().fold(0xcbf2_9ce4_8422_2325, mix);
+    format!("{:08x}", (hash >> 32) as u32 ^ hash as u32)
+}
+
+/// A number as it reads back to the bit, in the shorter of two forms.
+fn exactly(x: f64) -> String {
+    let [plain, scientific] = [format!("{x}"), format!("{x:e}")];
+    if plain.len() <= scientific.len() { plain } else { scientific }
+}
+
+/// A number to 10⁻¹⁴.
+fn rounded(x: f64) -> String {
+    exactly(format!("{x:.14}").parse().unwrap_or(x))
+}
+
+/// A long answer, but for its last row, in twentieths.
+fn parts<T>(rows: &[T]) -> impl Iterator<Item = &[T]> {
+    let others = &rows[..rows.len() - 1];
+    others.chunks(rows.len().div_ceil(PARTS))
 }
 
 /// A solver whose answers are recorded.
 pub struct Recording<'s> {
     solver: &'s dyn Solver,
-    lines: RefCell<Vec<String>>,
+    /// Requests and answers.
+    notes: RefCell<Vec<(String, String)>>,
 }
 
 impl<'s> Recording<'s> {
     /// Nothing is recorded yet.
     pub fn of(solver: &'s dyn Solver) -> Self {
-        Self { solver, lines: RefCell::new(Vec::new()) }
+        Self { solver, notes: RefCell::new(Vec::new()) }
     }
 
     /// The lines to keep.
+    ///
+    /// # Panics
+    /// If two requests have one key.
     pub fn lines(self) -> String {
-        self.lines.into_inner().concat()
+        let mut keys = HashMap::new();
+        let notes = self.notes.into_inner().into_iter();
+        let lines = notes.map(|(request, told)| {
+            let key = key(&request);
+            let first = keys.entry(key.clone()).or_insert_with(|| request.clone());
+            assert_eq!(*first, request, "two requests of one key");
+            format!("{key} {told}\n")
+        });
+        lines.collect()
     }
 
     /// Notes an answer, or why there is none, and hands it on.
@@ -66,7 +96,7 @@ impl<'s> Recording<'s> {
             Err(Fault::Unsupported) => "?".to_string(),
             Err(fault) => format!("! {fault}").replace('\n', " "),
         };
-        self.lines.borrow_mut().push(format!("{} {told}\n", key(request)));
+        self.notes.borrow_mut().push((request.to_string(), told));
         answer
     }
 }
@@ -76,26 +106,30 @@ impl Solver for Recording<'_> {
         self.note(request, self.solver.solve(request), |reply| {
             let counted = reply.evaluations.map_or("-".to_string(), |n| n.to_string());
             let states = &reply.states;
+            let is_finite = |z: &Phase| z.theta.is_finite() && z.omega.is_finite();
+            // All that the judge asks of such an answer.
+            if states.len() != request.times.len() || !states.iter().all(is_finite) {
+                return format!("# {counted} {}", states.len());
+            }
+            let row = |z: &Phase| format!(" {} {}", exactly(z.theta), exactly(z.omega));
             if states.len() <= SHORT {
-                let bits = states.iter().map(|z| format!(" {:e} {:e}", z.theta, z.omega));
-                return format!("= {counted}{}", bits.collect::<String>());
+                return format!("= {counted}{}", states.iter().map(row).collect::<String>());
             }
+            let (last, others) = (row(&states[states.len() - 1]), &states[..states.len() - 1]);
+            let kind = if single(others) { 's' } else { '~' };
             let errors = errors(request, states);
-            let last = states.last().copied().unwrap_or_default();
-            let last = format!("{:e} {:e}", last.theta, last.omega);
-            if states.len() > LONG {
-                let largest = errors.into_iter().fold(0.0, f64::max);
-                return format!("^ {counted} {last} {}", character(largest));
-            }
-            let errors: String = errors.into_iter().map(character).collect();
-            format!("~ {counted} {last} {errors}")
+            let extremes = parts(&errors).flat_map(|part| {
+                let least = part.iter().copied().fold(f64::INFINITY, f64::min);
+                [least, part.iter().copied().fold(0.0, f64::max)].map(character)
+            });
+            format!("{kind} {counted}{last} {}", extremes.collect::<String>())
         })
     }
 
     fn crossings(&self, request: &CrossingsRequest) -> Result<Crossings, Fault> {
         self.note(request, self.solver.crossings(request), |found| {
-            let rows = found.iter().map(|(t, z)| format!(" {t:e} {:e} {:e}", z.theta, z.omega));
-            format!("x{}", rows.collect::<String>())
+            let rows = found.iter().flat_map(|(t, z)| [*t, z.theta, z.omega]);
+            format!("x{}", rows.map(|x| format!(" {}", rounded(x))).collect::<String>())
         })
     }
 
@@ -104,22 +138,30 @@ impl Solver for Recording<'_> {
     }
 }
 
-/// What was recorded, as a solver.
-pub struct Recorded<'t>(HashMap<&'t str, &'t str>);
+/// What was recorded, as a solver: of each request the answers, in their order, and how many of
+/// them were given. The last is given again.
+pub struct Recorded<'t>(HashMap<&'t str, (Vec<&'t str>, Cell<usize>)>);
 
 impl<'t> Recorded<'t> {
     /// Reads the lines of a [`Recording`].
     pub fn read(lines: &'t str) -> Self {
-        Self(lines.lines().filter_map(|line| line.split_once(' ')).collect())
+        let mut answers = HashMap::<_, (Vec<_>, _)>::new();
+        for (key, told) in lines.lines().filter_map(|line| line.split_once(' ')) {
+            answers.entry(key).or_default().0.push(told);
+        }
+        Self(answers)
     }
 
     /// The words of an answer.
     fn words(&self, request: &impl Display) -> Result<Vec<&'t str>, Fault> {
-        let told = self.0.get(key(request).as_str()).copied().unwrap_or("! not recorded");
-        match told.split_once(' ') {
+        let not_recorded = || Fault::Refused("not recorded".to_string());
+        let key = key(&request.to_string());
+        let (answers, given) = self.0.get(key.as_str()).ok_or_else(not_recorded)?;
+        let index = given.replace(given.get() + 1).min(answers.len() - 1);
+        match answers[index].split_once(' ') {
             Some(("!", why)) => Err(Fault::Refused(why.to_string())),
-            None if told == "?" => Err(Fault::Unsupported),
-            _ => Ok(told.split(' ').collect()),
+            None if answers[index] == "?" => Err(Fault::Unsupported),
+            _ => Ok(answers[index].split(' ').collect()),
         }
     }
 }
@@ -136,23 +178,36 @@ impl Solver for Recorded<'_> {
         let broken = || Fault::Refused("a recorded line cannot be read".to_string());
         let [kind, counted, ref rest @ ..] = words[..] else { return Err(broken()) };
         let evaluations = counted.parse().ok();
-        let pairs = groups::<2>(if kind == "=" { rest } else { &rest[..2] });
-        let mut states: Vec<Phase> =
-            pairs.into_iter().map(|[theta, omega]| Phase { theta, omega }).collect();
-        if kind != "=" {
-            let [_, _, errors] = rest[..] else { return Err(broken()) };
-            let motion = exact(request.g_over_l, request.start);
-            let all =
-                errors.chars().chain(core::iter::repeat(errors.chars().last().unwrap_or('~')));
-            let off = |(t, error): (&f64, char)| {
-                let z = motion.at(t - request.from);
-                Phase { theta: z.theta + size(error), ..z }
-            };
-            let last = states.pop();
-            states = request.times.iter().zip(all).map(off).collect();
-            states.pop();
-            states.extend(last);
+        let phase = |[theta, omega]: [f64; 2]| Phase { theta, omega };
+        if let ("#", [came]) = (kind, rest) {
+            let nothing = phase([f64::NAN; 2]);
+            let states = vec![nothing; came.parse().map_err(|_| broken())?];
+            return Ok(Reply { states, evaluations });
         }
+        if kind == "=" {
+            let states = groups::<2>(rest).into_iter().map(phase).collect();
+            return Ok(Reply { states, evaluations });
+        }
+        let (&[ref last @ .., extremes], [.., _]) = (rest, &request.times[..]) else {
+            return Err(broken());
+        };
+        let motion = exact(request.g_over_l, request.start);
+        let extremes: Vec<f64> = extremes.chars().map(size).collect();
+        let mut states = Vec::new();
+        for (times, extremes) in parts(&request.times).zip(extremes.chunks(2)) {
+            // The first has the least error, and the others the largest.
+            let all = extremes.iter().chain(core::iter::repeat(&extremes[extremes.len() - 1]));
+            states.extend(times.iter().zip(all).map(|(t, error)| {
+                let z = motion.at(t - request.from);
+                Phase { theta: z.theta + error, ..z }
+            }));
+        }
+        if kind == "s" {
+            states
+                .iter_mut()
+                .for_each(|z| *z = phase([z.theta, z.omega].map(|x| f64::from(x as f32))));
+        }
+        states.extend(groups::<2>(last).into_iter().map(phase));
         Ok(Reply { states, evaluations })
     }
 

@@ -34,20 +34,25 @@ enum Slip {
     LastStepShort,
     SingleTime,
     SingleStates,
+    SingleOutputs,
     SmallestStep,
     FirstStepUnchecked,
     SignedError,
     NeverBackwards,
     BackwardsOutputsEarly,
     DriveAtStepStart,
+    DriveAtStepStartBetween,
+    DriveFromStart,
     AngleWrapped,
     StepKept,
+    CountKept,
     NanPasses,
     NeverRefused,
     RisingOnly,
     CrossingAtStepEnd,
     CrossingByLine,
     FirstCrossingOnly,
+    CrossingsFromZero,
 }
 
 /// A wrong solver.
@@ -105,14 +110,18 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         five("the last step left out", LastStepShort),
         five("time in single precision", SingleTime),
         five("states in single precision", SingleStates),
+        five("outputs in single precision", SingleOutputs),
         five("a smallest step", SmallestStep),
         five("a first step unchecked", FirstStepUnchecked),
         five("an error with a sign", SignedError),
         five("never backwards", NeverBackwards),
         five("outputs too early backwards", BackwardsOutputsEarly),
         five("the drive as at the start of a step", DriveAtStepStart),
+        eight("the drive as at the start of a step between steps", DriveAtStepStartBetween),
+        five("the drive as at the time since the start", DriveFromStart),
         five("the angle wrapped", AngleWrapped),
         five("a step kept from the last request", StepKept),
+        five("a count kept from the last request", CountKept),
         five("an error that is no number passes", NanPasses),
         five("a time that never comes is the start", NeverRefused),
         five("passages from below only", RisingOnly),
@@ -120,6 +129,7 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         five("passages at the ends of steps", CrossingAtStepEnd),
         five("passages on a straight line", CrossingByLine),
         five("the first passage only", FirstCrossingOnly),
+        five("passages always from t = 0 on", CrossingsFromZero),
     ]
 }
 
@@ -132,11 +142,13 @@ struct Slipping<M> {
     slip: Slip,
     /// The size of the last step of the last request (s).
     kept: Cell<f64>,
+    /// The evaluations of all requests.
+    counted: Cell<u64>,
 }
 
 impl<M: Embedded> Slipping<M> {
     const fn new(method: M, slip: Slip) -> Self {
-        Self { method, slip, kept: Cell::new(0.0) }
+        Self { method, slip, kept: Cell::new(0.0), counted: Cell::new(0) }
     }
 
     /// Runs `system` to the times of a request, and hands each step to `look`.
@@ -222,10 +234,7 @@ impl<M: Embedded> Slipping<M> {
             }
             let mut end = end;
             if is(SingleStates) {
-                end = Phase {
-                    theta: f64::from(end.theta as f32),
-                    omega: f64::from(end.omega as f32),
-                };
+                end = single(end);
             }
             let mut time = if step == left { until } else { t + step };
             if is(SingleTime) {
@@ -242,8 +251,12 @@ impl<M: Embedded> Slipping<M> {
             );
             let full = core::cell::OnceCell::new();
             let within = |s: f64| -> Phase {
-                let dense =
-                    full.get_or_init(|| self.method.dense(system, t, step, z, &stages, end_slope));
+                let dense = full.get_or_init(|| {
+                    system.frozen.set(is(DriveAtStepStartBetween).then_some(t));
+                    let dense = self.method.dense(system, t, step, z, &stages, end_slope);
+                    system.frozen.set(None);
+                    dense
+                });
                 let coefficients = dense.as_ref();
                 let displacement = match self.slip {
                     OutputsByLine => [coefficients[0]].displacement(s),
@@ -271,6 +284,7 @@ impl<M: Embedded> Slipping<M> {
                 let is_end = due == time && !is(EndByQuartic);
                 let last_is_over = is(LastStepOver) && due == until;
                 let row = if is_end || last_is_over { end } else { within((due - t) / step) };
+                let row = if is(SingleOutputs) && !is_end { single(row) } else { row };
                 let late = is(OutputsLate).then_some(()).and(rows.last().copied());
                 let equal = is(EqualTimesDropped) && done > 0 && times[done - 1] == due;
                 rows.extend((!equal).then_some(late.unwrap_or(row)));
@@ -315,6 +329,11 @@ impl<M: Embedded> Slipping<M> {
     }
 }
 
+/// A state in single precision.
+fn single(z: Phase) -> Phase {
+    Phase { theta: f64::from(z.theta as f32), omega: f64::from(z.omega as f32) }
+}
+
 /// The sign of the first component of a difference.
 fn signed(a: Phase, b: Phase) -> f64 {
     if a.theta < b.theta { -1.0 } else { 1.0 }
@@ -325,6 +344,8 @@ fn signed(a: Phase, b: Phase) -> f64 {
 struct Pushed {
     pendulum: Pendulum,
     drive: Drive,
+    /// The time that the drive takes for 0 (s).
+    origin: f64,
     /// A time that stands still (s).
     frozen: Cell<Option<f64>>,
     evaluations: Cell<u64>,
@@ -335,7 +356,8 @@ impl Pushed {
         let refused = |error: pendula::Error| Fault::Refused(error.to_string());
         let pendulum = Pendulum::new(g_over_l, 1.0, 1.0).map_err(refused)?;
         let drive = drive.unwrap_or(Drive { amplitude: 0.0, frequency: 0.0 });
-        Ok(Self { pendulum, drive, frozen: Cell::new(None), evaluations: Cell::new(0) })
+        let (frozen, evaluations) = (Cell::new(None), Cell::new(0));
+        Ok(Self { pendulum, drive, origin: 0.0, frozen, evaluations })
     }
 }
 
@@ -345,7 +367,8 @@ impl System for Pushed {
     fn rate(&self, t: f64, z: Phase) -> Phase {
         self.evaluations.set(self.evaluations.get() + 1);
         let Drive { amplitude, frequency } = self.drive;
-        let push = amplitude * libm::cos(frequency * self.frozen.get().unwrap_or(t));
+        let push =
+            amplitude * libm::cos(frequency * (self.frozen.get().unwrap_or(t) - self.origin));
         let rate = self.pendulum.rate(t, z);
         Phase { omega: rate.omega + push, ..rate }
     }
@@ -353,17 +376,26 @@ impl System for Pushed {
 
 impl<M: Embedded> Solver for Slipping<M> {
     fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
-        let system = Pushed::new(request.g_over_l, request.drive)?;
+        let mut system = Pushed::new(request.g_over_l, request.drive)?;
+        if self.slip == Slip::DriveFromStart {
+            system.origin = request.from;
+        }
         if self.slip == Slip::NeverRefused && self.end_of(request)?.1 == 0.0 {
             let states = vec![request.start; request.times.len()];
             return Ok(Reply { states, evaluations: None });
         }
         let states = self.run(&system, request, &mut |_| {})?;
-        Ok(Reply { states, evaluations: Some(system.evaluations.get()) })
+        let evaluations = system.evaluations.get();
+        let before = self.counted.replace(self.counted.get() + evaluations);
+        let kept = if self.slip == Slip::CountKept { before } else { 0 };
+        Ok(Reply { states, evaluations: Some(kept + evaluations) })
     }
 
     fn crossings(&self, request: &CrossingsRequest) -> Result<Crossings, Fault> {
-        let CrossingsRequest { g_over_l, start, span: [from, until], tolerance } = *request;
+        let CrossingsRequest { g_over_l, start, span: [mut from, mut until], tolerance } = *request;
+        if self.slip == Slip::CrossingsFromZero {
+            (from, until) = (0.0, until - from);
+        }
         let system = Pushed::new(g_over_l, None)?;
         let run = SolveRequest::new(g_over_l, start, tolerance).from(from).to(&[until]);
         let mut found = Vec::new();
