@@ -2,8 +2,8 @@
 %
 %     octave-cli --no-gui octave/solver.m SOLVER
 %
-% ode23, ode45 and ode23s, and lsode with its methods ("lsode-adams", "lsode-bdf"). The former take
-% the vector of times, and interpolate; a single time is the end of the last step. They have events.
+% ode23, ode45 and ode23s take the vector of times, and interpolate; a single time is the end of the
+% last step. They have events.
 1;
 
 function dy = rate (t, y, run)
@@ -41,18 +41,6 @@ endfunction
 
 function states = solve (name, run)
   f = @(t, y) rate (t, y, run);
-  if (strncmp (name, "lsode", 5))
-    lsode_options ("integration method", name(7:end));
-    lsode_options ("relative tolerance", run.tol);
-    lsode_options ("absolute tolerance", run.each);
-    lsode_options ("step limit", 1e6);
-    [states, status, why] = lsode (@(y, t) f (t, y), run.start, run.grid);
-    if (status != 2)
-      error (why);
-    endif
-    states = states(2:end, :);
-    return
-  endif
   options = odeset ("RelTol", run.tol, "AbsTol", run.each);
   [t, y] = feval (name, f, run.grid, run.start, options);
   if (numel (run.grid) == 2)
@@ -95,19 +83,15 @@ while (true)
         printf ("%.17g %.17g\n", states(at, :)');
         printf ("done %d\n", count);
       case "crossings"
-        if (strncmp (name, "lsode", 5))
-          printf ("unsupported\n");
-        else
-          run = request (words{1}, str2double (words(2:end)));
-          rows = [];
-          if (numel (run.grid) > 1)
-            rows = crossings (name, run);
-          endif
-          if (! isempty (rows))
-            printf ("%.17g %.17g %.17g\n", rows');
-          endif
-          printf ("done %d\n", count);
+        run = request (words{1}, str2double (words(2:end)));
+        rows = [];
+        if (numel (run.grid) > 1)
+          rows = crossings (name, run);
         endif
+        if (! isempty (rows))
+          printf ("%.17g %.17g %.17g\n", rows');
+        endif
+        printf ("done %d\n", count);
       otherwise
         printf ("unsupported\n");
     endswitch
