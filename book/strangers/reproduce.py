@@ -13,8 +13,8 @@ import sys
 
 PART = "<!-- ANCHOR: {0} -->\n```(\\w+)\n(.*?)```\n<!-- ANCHOR_END: {0} -->"
 PROGRAM, OUTPUT = (re.compile(PART.format(part), re.S) for part in ("program", "output"))
-SUFFIXES = {"c": ".c", "cpp": ".cpp", "java": ".java", "js": ".mjs", "octave": ".m", "python": ".py", "r": ".R",
-            "rust": ".rs"}
+SUFFIXES = {"c": ".c", "cpp": ".cpp", "java": ".java", "js": ".mjs", "octave": ".m",
+            "python": ".py", "r": ".R", "rust": ".rs"}
 
 
 def programs(reports, work):

@@ -1,5 +1,5 @@
-//! diffsol 0.18.0 with nalgebra. Several times are asked for by `solve_dense`, which interpolates; a
-//! single one by `solve`, which ends a step there. A crossing ends a run, so the next one begins
+//! diffsol 0.18.0 with nalgebra. Several times are asked for by `solve_dense`, which interpolates;
+//! a single one by `solve`, which ends a step there. A crossing ends a run, so the next one begins
 //! there.
 
 use diffsol::{
