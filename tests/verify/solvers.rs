@@ -1,9 +1,13 @@
 //! The judge of solvers: on wrong ones, each with one slip, and on those of other projects, by
 //! their recorded answers.
 
+use pendula::methods::Dop853;
 use pendula_judge::zoo::recorded::{Recorded, Recording};
 use pendula_judge::zoo::solvers::wrong_solvers;
-use pendula_judge::{Claims, Kind, Report, SolveFn, Solver, Verdict, judge_solver};
+use pendula_judge::{
+    ByTolerance, Claims, Fault, Kind, Reply, Report, SolveFn, SolveRequest, Solver, Verdict,
+    judge_solver,
+};
 use rstest::rstest;
 
 /// The claims of a report that fail.
@@ -162,4 +166,34 @@ fn another_equation_is_told(#[case] force: fn(f64) -> f64, #[case] kind: Kind) {
     let departure = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
     assert_eq!(departure.kind, kind, "{report}");
     assert_eq!(report.look_at[0], format!("{}.", departure.sentence), "{report}");
+}
+
+/// DOP853, with this answer to a tolerance that makes no sense.
+struct To(Fault);
+
+impl Solver for To {
+    fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+        match request.tolerance > 0.0 && request.times.iter().all(|time| time.is_finite()) {
+            true => ByTolerance::new(Dop853).solve(request),
+            false => Err(self.0.clone()),
+        }
+    }
+}
+
+/// Catches: a solver that is not to be asked for the impossible judged by it, or said to refuse it;
+/// one that hung once said to have been asked again.
+#[test]
+fn the_impossible_need_not_be_asked_for() {
+    let refusal = |fault| {
+        let report = judge_solver(&To(fault), Claims::order(8));
+        let found = report.finding("refusal").unwrap();
+        (found.verdict, found.claimed.clone(), found.measured.clone(), report.verdict)
+    };
+    let (verdict, claimed, _, all) = refusal(Fault::Unsupported);
+    assert_eq!((verdict, claimed, all), (Verdict::NotMeasured, None, Verdict::Holds));
+    let (verdict, _, _, all) = refusal(Fault::Refused("no".to_string()));
+    assert_eq!((verdict, all), (Verdict::Holds, Verdict::Holds));
+    let (verdict, _, measured, all) = refusal(Fault::Broken("it hangs".to_string()));
+    assert_eq!((verdict, all), (Verdict::Fails, Verdict::Fails));
+    assert_eq!(measured, "a tolerance of zero: it hangs");
 }

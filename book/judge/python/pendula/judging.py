@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
 import html
 import importlib.metadata
@@ -295,14 +294,14 @@ def program() -> str:
 
 
 class TooLate(BaseException):
-    """The judge waits no longer. (No Exception, so that the function does not catch it.)"""
+    """The judge waits no longer. (It is no Exception, which many functions catch.)"""
 
 
 class Waiting:
     """While a function computes: ends it when the judge, a process, waits no longer.
 
-    The exception is set in the thread of the function. What runs outside of Python, in a library,
-    ends first."""
+    The exception is set in the thread of the function, where the interpreter can do so. What runs
+    outside of Python, in a library, ends first."""
 
     def __init__(self, judge: subprocess.Popen[str]) -> None:
         self._judge = judge
@@ -313,21 +312,30 @@ class Waiting:
 
     def _watch(self) -> None:
         self._judge.wait()
-        with self._lock:
-            if self._computes:
+        set_exception = getattr(ctypes, "pythonapi", None) and (
+            ctypes.pythonapi.PyThreadState_SetAsyncExc
+        )
+        while set_exception:
+            with self._lock:
+                if not self._computes:
+                    return
                 self._was_ended = True
-                set_exception = ctypes.pythonapi.PyThreadState_SetAsyncExc
                 set_exception(ctypes.c_ulong(self._thread), ctypes.py_object(TooLate))
+            # The function may have caught it, and go on.
+            time.sleep(0.1)
 
     def __enter__(self) -> None:
         with self._lock:
             self._computes = True
 
-    def __exit__(self, kind: object, fault: object, trace: TracebackType | None) -> None:
+    def stop(self) -> None:
         with self._lock:
             self._computes = False
-        # It comes between two instructions, and may not have come yet.
-        while self._was_ended and kind is not TooLate:
+
+    def __exit__(self, kind: object, fault: object, trace: TracebackType | None) -> None:
+        self.stop()
+        # It comes between two instructions, and may not have come yet; or the function caught it.
+        for _ in range(100 if self._was_ended and kind is not TooLate else 0):
             time.sleep(0.001)
 
 
@@ -372,7 +380,7 @@ def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
     """Answers to the end, and returns the report; or the line that says why there is none."""
     assert judge.stdin and judge.stdout and judge.stderr
     waiting = Waiting(judge)
-    with contextlib.suppress(BrokenPipeError, TooLate):
+    try:
         for line in judge.stdout:
             if line == BYE:
                 break
@@ -380,8 +388,15 @@ def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
                 said = answers.to(line.rstrip("\n"))
             judge.stdin.write("\n".join(said) + "\n")
             judge.stdin.flush()
+    except (BrokenPipeError, TooLate):
+        pass  # It waits no longer, and has said bye.
+    except NotJudged:
+        if judge.poll() is None:
+            raise
+    finally:
+        waiting.stop()
     report = judge.stdout.read()
-    # If it waits no longer, that has not been read.
+    # In which case that has not been read.
     report = report.removeprefix(BYE)
     told = judge.stderr.read().strip()
     if judge.wait() in (0, 1):

@@ -188,15 +188,28 @@ def endless(force, theta, omega, h):
         pass
 
 
+def hang(force, theta, omega, h):
+    try:
+        while True:
+            pass
+    except:  # noqa: E722
+        return theta, omega
+
+
+def stubborn(force, theta, omega, h):
+    yield from (hang(force, theta, omega, h) for _ in range(3))
+
+
+@pytest.mark.parametrize("method", [endless, stubborn])
 @pytest.mark.parametrize("in_a_thread", [False, True])
-def test_patience_ends(in_a_thread):
+def test_patience_ends(method, in_a_thread):
     """Catches: a function that hangs and keeps its caller; an exception that comes later, to what
     is not to blame."""
     told = []
 
     def ask():
         with pytest.raises(pendula.NotJudged, match="given up after"):
-            pendula.judge(endless, patience=0.5)
+            pendula.judge(method, patience=0.5)
         told.append(pendula.judge(verlet, LEAPFROG).holds)
 
     if in_a_thread:
