@@ -91,6 +91,7 @@ class Report:
     def check(self) -> None:
         """Raises AssertionError, with what to look at, unless every claim was measured and holds;
         ValueError if nothing is claimed."""
+        __tracebackhide__ = True  # by pytest
         if self.holds:
             return
         if not self.claims:
@@ -160,6 +161,7 @@ def judge(
     if no question was answered yet. Any other, such as OverflowError, or a ValueError for a
     negative h, refuses one question; it is kept in ``report.refused``.
     """
+    __tracebackhide__ = True  # by pytest
     return judged(Answers(named(method, name), method=method), claims, patience)
 
 
@@ -184,6 +186,7 @@ def judge_rate(
     y is a :class:`State`, with which this can be written; with ``state=numpy.array`` it is an
     array.
     """
+    __tracebackhide__ = True
     return judged(Answers(named(method, name), rate=method, state=state), claims, patience)
 
 
@@ -226,6 +229,7 @@ def judge_solver(
     A solver should refuse a tolerance that is zero, negative or NaN. With ``impossible=True`` it is
     asked for that too; many are caught in it until the patience ends.
     """
+    __tracebackhide__ = True
     answers = Answers(named(solver, name), solver=solver, crossings=crossings, state=state,
                       impossible=impossible)  # fmt: skip
     return judged(answers, claims, patience)
@@ -341,6 +345,7 @@ class Waiting:
 
 def judged(answers: Answers, claims: str, patience: float) -> Report:
     """Starts the program, answers it, and reads its report."""
+    __tracebackhide__ = True
     with tempfile.TemporaryDirectory() as folder:
         page = os.path.join(folder, "report.html")
         words = [program(), "verify", "--stdio", "--format", "json", "--report", page]
@@ -378,6 +383,7 @@ BYE = "bye\n"
 
 def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
     """Answers to the end, and returns the report; or the line that says why there is none."""
+    __tracebackhide__ = True
     assert judge.stdin and judge.stdout and judge.stderr
     waiting = Waiting(judge)
     try:
