@@ -384,7 +384,7 @@ def sundae(name):
 
 def casadi(name):
     """integrator("cvodes"), with Adams or BDF, "idas", "erk" and "rosenbrock", with one absolute
-    tolerance. It refuses what is no tolerance."""
+    tolerance. It refuses what is no tolerance; "idas" hangs with NaN."""
     import casadi
 
     y, t, p = (casadi.SX.sym(*x) for x in (("y", 2), ("t",), ("p", 3)))
@@ -395,6 +395,7 @@ def casadi(name):
         plugin, more = "cvodes", {"linear_multistep_method": plugin}
 
     def solver(rate, y0, times, tolerance):
+        refuse(tolerance, *([NAN] if plugin == "idas" else []))
         code = casadi.integrator("code", plugin, problem, times[0], times[1:], {
             "reltol": tolerance, "abstol": tolerance, "max_num_steps": STEPS, **more})
         ask = [rate.g_over_l, rate.amplitude, rate.frequency]
