@@ -1,7 +1,7 @@
 //! The judge of solvers: on wrong ones, each with one slip, and on those of other projects, by
 //! their recorded answers.
 
-use pendula::methods::Dop853;
+use pendula::methods::{Dop853, DormandPrince};
 use pendula_judge::zoo::recorded::{Recorded, Recording};
 use pendula_judge::zoo::solvers::wrong_solvers;
 use pendula_judge::{
@@ -105,6 +105,29 @@ fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &st
     let report = recorded(answers, "free-outputs");
     assert!(failing(&report).contains(&"output"), "{report}");
     assert!(report.look_at.iter().any(|line| line.contains(sentence)), "{report}");
+}
+
+/// A right solver whose end is off by this part of itself where other states are asked for too.
+struct EndOff(f64);
+
+impl Solver for EndOff {
+    fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+        let mut reply = ByTolerance::new(DormandPrince).solve(request)?;
+        if let [_, .., last] = &mut reply.states[..] {
+            last.theta *= 1.0 + self.0;
+        }
+        Ok(reply)
+    }
+}
+
+/// Catches: outputs that move no step called costly, as their last row is rounded otherwise than
+/// the end of a step; outputs that move steps called free.
+#[rstest]
+#[case::rounding(8.0 * f64::EPSILON, Verdict::Holds)]
+#[case::part_of_the_tolerance(1e-11, Verdict::Fails)]
+fn free_outputs_may_round(#[case] off: f64, #[case] verdict: Verdict) {
+    let report = judge_solver(&EndOff(off), Claims::order(5).free_outputs());
+    assert_eq!(report.finding("free-outputs").unwrap().verdict, verdict, "{report}");
 }
 
 /// Heun's method with the result of Euler's beside it, steps that stop at the outputs, and a

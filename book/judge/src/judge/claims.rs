@@ -35,7 +35,7 @@ pub struct Claims {
     pub name: Option<String>,
     /// Of a solver: that its error estimate falls with this power of the step.
     pub estimate: Option<u32>,
-    /// Of a solver: that a run ends in the same state, to the bit, with outputs and without.
+    /// Of a solver: that a run ends in the same state, but for rounding, with outputs and without.
     pub free_outputs: bool,
     /// Of a solver: that it finds where θ passes zero.
     pub crossings: bool,
@@ -93,7 +93,8 @@ impl Claims {
         Self { estimate: Some(power), ..self }
     }
 
-    /// And that a run of a solver ends in the same state, to the bit, with outputs and without.
+    /// And that a run of a solver ends in the same state, but for rounding, with outputs and
+    /// without.
     pub fn free_outputs(self) -> Self {
         Self { free_outputs: true, ..self }
     }
