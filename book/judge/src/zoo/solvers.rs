@@ -6,6 +6,8 @@ use core::f64::consts::{PI, TAU};
 
 use pendula::adaptive::Tolerance;
 use pendula::methods::Dop853;
+use pendula::methods::runge_kutta::dormand_prince::TABLEAU;
+use pendula::methods::runge_kutta::tableau::Row;
 use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
 use pendula::systems::{Pendulum, Phase, RateOf, System, Vector};
 
@@ -73,7 +75,8 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
     let of = |name, solver| WrongSolver { name, claims: FIVE, solver };
     let pair =
         |name, pair: Pair| of(name, Box::new(Slipping::new(pair, Nothing)) as Box<dyn Solver>);
-    let five = |name, slip| of(name, Box::new(Slipping::new(Pair::RIGHT, slip)) as Box<dyn Solver>);
+    let five =
+        |name, slip| of(name, Box::new(Slipping::new(Pair::right(), slip)) as Box<dyn Solver>);
     let eight = |name, slip| WrongSolver {
         claims: EIGHT,
         ..of(name, Box::new(Slipping::new(Dop853, slip)) as Box<dyn Solver>)
@@ -84,9 +87,9 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         pair("the sign of 1/40 turned", Pair::with_estimate(6, 1.0 / 40.0)),
         // SUNDIALS 850 had a wrong one.
         pair("a weight of the estimate left out", Pair::with_estimate(4, 0.0)),
-        pair("two weights of the step exchanged", Pair::RIGHT.with_step_weights_exchanged()),
-        pair("a stage mistyped", Pair::RIGHT.with_stage_mistyped()),
-        pair("the result of order 4 handed on", Pair::RIGHT.of_lower_order()),
+        pair("two weights of the step exchanged", Pair::right().with_step_weights_exchanged()),
+        pair("a stage mistyped", Pair::right().with_stage_mistyped()),
+        pair("the result of order 4 handed on", Pair::right().of_lower_order()),
         // ODE.jl 15.
         five("the slope of a refused step kept", RefusedSlopeKept),
         five("outputs by a straight line", OutputsByLine),
@@ -430,54 +433,40 @@ fn bisect(step: Step<'_>, before: f64) -> (f64, Phase) {
 // Dormand–Prince 5(4), in numbers that can be mistyped
 // -------------------------------------------------------------------------------------------------
 
-/// The stages, the weights of the step and of its estimate (Hairer, Nørsett, Wanner, *Solving
-/// Ordinary Differential Equations I*, Table II.5.2).
+/// The library's table as arrays: where the stages are, in steps, the stages, and the weights of
+/// the step, of its estimate and of the last term of the interpolant.
 #[derive(Clone, Copy)]
 struct Pair {
-    stages: [[f64; 6]; 7],
+    nodes: [f64; 7],
+    stages: [[f64; 7]; 7],
     step: [f64; 7],
     estimate: [f64; 7],
+    fourth: [f64; 7],
 }
 
-/// Where the stages are, in steps.
-const NODES: [f64; 7] = [0.0, 0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
-
-const STEP: [f64; 7] =
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0];
+/// The weights of the stages in a row of the library's table.
+fn weights(row: &Row) -> [f64; 7] {
+    core::array::from_fn(|k| {
+        let name = ["k1", "k2", "k3", "k4", "k5", "k6", "k7"][k];
+        let term = row.terms.iter().find(|(stage, _)| *stage == name);
+        term.map_or(0.0, |(_, coefficient)| coefficient.value)
+    })
+}
 
 impl Pair {
-    const RIGHT: Self = Self {
-        stages: [
-            [0.0; 6],
-            [0.2, 0.0, 0.0, 0.0, 0.0, 0.0],
-            [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
-            [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-            [19_372.0 / 6561.0, -25_360.0 / 2187.0, 64_448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
-            [
-                9017.0 / 3168.0,
-                -355.0 / 33.0,
-                46_732.0 / 5247.0,
-                49.0 / 176.0,
-                -5103.0 / 18_656.0,
-                0.0,
-            ],
-            [STEP[0], STEP[1], STEP[2], STEP[3], STEP[4], STEP[5]],
-        ],
-        step: STEP,
-        estimate: [
-            71.0 / 57_600.0,
-            0.0,
-            -71.0 / 16_695.0,
-            71.0 / 1920.0,
-            -17_253.0 / 339_200.0,
-            22.0 / 525.0,
-            -1.0 / 40.0,
-        ],
-    };
+    fn right() -> Self {
+        let (mut nodes, mut stages) = ([0.0; 7], [[0.0; 7]; 7]);
+        for (k, row) in TABLEAU.stages.iter().enumerate() {
+            nodes[k + 1] = row.node.map_or(0.0, |node| node.value);
+            stages[k + 1] = weights(row);
+        }
+        let [step, estimate, fourth] = core::array::from_fn(|k| weights(&TABLEAU.sums[k]));
+        Self { nodes, stages, step, estimate, fourth }
+    }
 
     /// With another weight of the estimate.
     fn with_estimate(index: usize, weight: f64) -> Self {
-        let mut pair = Self::RIGHT;
+        let mut pair = Self::right();
         pair.estimate[index] = weight;
         pair
     }
@@ -500,7 +489,7 @@ impl Pair {
     }
 }
 
-fn weighted<D: Vector>(stages: &[D; 7], weights: &[f64]) -> D {
+fn weighted<D: Vector>(stages: &[D; 7], weights: &[f64; 7]) -> D {
     let sum = |sum: D, (stage, weight): (&D, &f64)| sum + *stage * *weight;
     stages.iter().zip(weights).skip(1).fold(stages[0] * weights[0], sum)
 }
@@ -521,8 +510,8 @@ impl Embedded for Pair {
     ) -> (S::State, [RateOf<S>; 7]) {
         let mut stages = [slope; 7];
         for k in 1..7 {
-            let ahead = weighted(&stages, &self.stages[k][..k.min(6)]);
-            stages[k] = system.rate(t + NODES[k] * h, z + ahead * h);
+            let ahead = weighted(&stages, &self.stages[k]);
+            stages[k] = system.rate(t + self.nodes[k] * h, z + ahead * h);
         }
         (z + weighted(&stages, &self.step) * h, stages)
     }
@@ -550,17 +539,8 @@ impl Embedded for Pair {
         stages: &[RateOf<S>; 7],
         end_slope: RateOf<S>,
     ) -> [RateOf<S>; 4] {
-        const FOURTH: [f64; 7] = [
-            -12_715_105_075.0 / 11_282_082_432.0,
-            0.0,
-            87_487_479_700.0 / 32_700_410_799.0,
-            -10_690_763_975.0 / 1_880_347_072.0,
-            701_980_252_875.0 / 199_316_789_632.0,
-            -1_453_857_185.0 / 822_651_844.0,
-            69_997_945.0 / 29_380_423.0,
-        ];
         let step = weighted(stages, &self.step) * h;
         let [first, second, third] = hermite(step, stages[0] * h, end_slope * h);
-        [first, second, third, weighted(stages, &FOURTH) * h]
+        [first, second, third, weighted(stages, &self.fourth) * h]
     }
 }
