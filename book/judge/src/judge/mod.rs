@@ -56,11 +56,7 @@ pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
 /// # Errors
 /// [`Fault::Broken`] says what the stranger did, if it broke the protocol.
 pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Fault> {
-    let report = report(stranger, &claims).map_err(|trouble| match trouble {
-        Trouble::Broken(why) => Fault::Broken(why),
-        other => Fault::Refused(other.to_string()),
-    })?;
-    Ok(report.without_word("solve", claims.of_a_solver()))
+    Ok(report(stranger, &claims)?.without_word("solve", claims.of_a_solver()))
 }
 
 /// What is found of `stranger`: of its own states, if what it takes or hands out was changed in a
@@ -176,7 +172,7 @@ struct Shown {
 
 impl Judge<'_> {
     /// Notes what was found of the property `name`, as `judge` has it, and returns what was
-    /// measured. What nobody claims is said and not judged. Only a broken protocol ends it all.
+    /// measured.
     fn note<T>(
         &mut self,
         name: &'static str,
@@ -184,22 +180,9 @@ impl Judge<'_> {
         found: Measured<T>,
         judge: impl FnOnce(&T) -> Finding,
     ) -> Measured<(Option<T>, Verdict)> {
-        let (found, told) = match found {
-            Ok(found) => {
-                let told = judge(&found);
-                (Some(found), told)
-            }
-            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            Err(trouble) => (None, Finding::from(trouble)),
-        };
-        let shown = told.verdict;
-        let verdict = match shown {
-            Verdict::NotMeasured => shown,
-            _ if claimed.is_none() => Verdict::Unclaimed,
-            _ => shown,
-        };
-        self.report.findings.push(Finding { name, claimed, verdict, ..told });
-        Ok((found, shown))
+        let told = found.as_ref().map(judge).map_err(Trouble::clone);
+        let shown = self.report.note(name, claimed, told)?;
+        Ok((found.ok(), shown))
     }
 
     /// Takes the properties one after the other.

@@ -4,8 +4,8 @@
 use core::fmt;
 
 use super::equation::{Departure, Kind};
-use super::verdict::{Measured, Trouble};
-use crate::stranger::{Chosen, Fault, Reply, Request, Stranger};
+use super::verdict::{Measured, Trouble, checked};
+use crate::stranger::{Chosen, Reply, Request, Stranger};
 use pendula::AnyMethod;
 use pendula::exact::Motion;
 use pendula::systems::{Hamiltonian, Pendulum, Phase};
@@ -108,20 +108,7 @@ impl<'s> Probe<'s> {
 
     /// The answer to a request, as it is.
     pub fn ask(&self, request: &Request) -> Measured<Reply> {
-        let reply = self.stranger.answer(request).map_err(|fault| match fault {
-            Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
-            Fault::Refused(why) => Trouble::NoAnswer(why),
-            Fault::Broken(why) => Trouble::Broken(why),
-        })?;
-        let (asked, came) = (request.states(), reply.states.len() as u64);
-        if came != asked {
-            return Err(Trouble::Count { asked, came });
-        }
-        let finite = |z: &Phase| z.theta.is_finite() && z.omega.is_finite();
-        if !reply.states.iter().all(finite) {
-            return Err(Trouble::NotFinite);
-        }
-        Ok(reply)
+        checked(self.stranger.answer(request)?, request.states())
     }
 
     /// The states of a run.

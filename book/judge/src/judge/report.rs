@@ -6,7 +6,7 @@ use super::claims::Claims;
 use super::equation::Departure;
 use super::identity::{self, Identity};
 use super::look;
-use super::verdict::{Trouble, Verdict};
+use super::verdict::{Measured, Trouble, Verdict};
 use crate::known_answers::{self, Known};
 use pendula::systems::Phase;
 
@@ -121,6 +121,28 @@ impl Report {
     /// Names of the properties whose claims fail.
     pub fn failures(&self) -> impl Iterator<Item = &'static str> {
         self.claimed(Verdict::Fails)
+    }
+
+    /// Notes what was found of the property `name`, and returns its verdict. What nobody claims is
+    /// said and not judged. Only a broken protocol ends it all.
+    pub(crate) fn note(
+        &mut self,
+        name: &'static str,
+        claimed: Option<String>,
+        found: Measured<Finding>,
+    ) -> Measured<Verdict> {
+        let told = match found {
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            found => found.unwrap_or_else(Finding::from),
+        };
+        let shown = told.verdict;
+        let verdict = match shown {
+            Verdict::NotMeasured => shown,
+            _ if claimed.is_none() => Verdict::Unclaimed,
+            _ => shown,
+        };
+        self.findings.push(Finding { name, claimed, verdict, ..told });
+        Ok(shown)
     }
 
     /// Notes the verdict on all claims, or on none.

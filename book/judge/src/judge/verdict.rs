@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::stranger::{Fault, Reply};
+
 /// What is to be said of a claim, or of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -69,6 +71,38 @@ impl fmt::Display for Trouble {
             Self::Broken(why) => f.write_str(why),
         }
     }
+}
+
+impl From<Fault> for Trouble {
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::Unsupported => Self::NoAnswer("unsupported".to_string()),
+            Fault::Refused(why) => Self::NoAnswer(why),
+            Fault::Broken(why) => Self::Broken(why),
+        }
+    }
+}
+
+/// What ends the judging.
+impl From<Trouble> for Fault {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::Broken(why) => Self::Broken(why),
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}
+
+/// A reply with as many finite states as were `asked` for.
+pub fn checked(reply: Reply, asked: u64) -> Measured<Reply> {
+    let came = reply.states.len() as u64;
+    if came != asked {
+        return Err(Trouble::Count { asked, came });
+    }
+    if !reply.states.iter().all(|z| z.theta.is_finite() && z.omega.is_finite()) {
+        return Err(Trouble::NotFinite);
+    }
+    Ok(reply)
 }
 
 /// What came of a measurement.

@@ -4,9 +4,9 @@
 use core::fmt;
 
 use crate::judge::probe::{G_OVER_L, exact};
-use crate::judge::verdict::{Measured, Trouble};
+use crate::judge::verdict::{Measured, checked};
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::{Fault, Reply};
+use crate::stranger::Reply;
 use pendula::exact::Motion;
 use pendula::systems::Phase;
 
@@ -85,31 +85,15 @@ impl fmt::Debug for Asked<'_> {
     }
 }
 
-fn trouble(fault: Fault) -> Trouble {
-    match fault {
-        Fault::Unsupported => Trouble::NoAnswer("unsupported".to_string()),
-        Fault::Refused(why) => Trouble::NoAnswer(why),
-        Fault::Broken(why) => Trouble::Broken(why),
-    }
-}
-
 impl Asked<'_> {
     /// The answer, with as many finite states as were asked for.
     pub fn reply(&self, request: &SolveRequest) -> Measured<Reply> {
-        let reply = self.solver.solve(request).map_err(trouble)?;
-        let (asked, came) = (request.times.len() as u64, reply.states.len() as u64);
-        if came != asked {
-            return Err(Trouble::Count { asked, came });
-        }
-        if !reply.states.iter().all(|z| z.theta.is_finite() && z.omega.is_finite()) {
-            return Err(Trouble::NotFinite);
-        }
-        Ok(reply)
+        checked(self.solver.solve(request)?, request.times.len() as u64)
     }
 
     /// The passages through zero.
     pub fn crossings(&self, request: &CrossingsRequest) -> Measured<Crossings> {
-        self.solver.crossings(request).map_err(trouble)
+        Ok(self.solver.crossings(request)?)
     }
 
     /// The errors (rad) of the states of a request without a drive.

@@ -22,7 +22,7 @@ use outputs::Outputs;
 #[cfg(feature = "zoo")]
 pub(crate) use outputs::PARTS;
 
-use crate::judge::verdict::{Measured, Trouble, Verdict};
+use crate::judge::verdict::{Measured, Trouble};
 use crate::solver::Solver;
 use crate::stranger::Fault;
 use crate::{Claims, Finding, Report};
@@ -64,10 +64,7 @@ pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, F
 
 /// Judges `solver` in other scenes, as tests do.
 fn judge_in(solver: &dyn Solver, claims: &Claims, scenes: Scenes) -> Result<Report, Fault> {
-    properties(Asked { solver, scenes }, claims).map_err(|trouble| match trouble {
-        Trouble::Broken(why) => Fault::Broken(why),
-        other => Fault::Refused(other.to_string()),
-    })
+    Ok(properties(Asked { solver, scenes }, claims)?)
 }
 
 /// What was measured of a solver, from which is told what to look at.
@@ -83,12 +80,12 @@ struct Found {
 
 /// The report, property by property.
 fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
-    let mut judge = Judge { claims, report: Report::default() };
+    let mut report = Report::default();
     let ladder = match Ladder::of(asked) {
         Ok(ladder) => ladder,
         Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
         Err(trouble) => {
-            judge.report.findings.push(Finding {
+            report.findings.push(Finding {
                 name: "tolerance",
                 claimed: claims.implied(),
                 ..Finding::from(trouble)
@@ -98,19 +95,19 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
             for (name, claim) in claims.of_a_solver().into_iter().chain([order]) {
                 let why = || Trouble::NoAnswer("it does not solve".to_string());
                 if claim.is_some() {
-                    judge.note(name, claim, Err(why()))?;
+                    report.note(name, claim, Err(why()))?;
                 }
             }
-            judge.report.description = "not known, as it does not solve".to_string();
-            judge.report.conclude(claims.are_none());
-            return Ok(judge.report);
+            report.description = "not known, as it does not solve".to_string();
+            report.conclude(claims.are_none());
+            return Ok(report);
         }
     };
-    let found = judge.take_all(asked, ladder)?;
-    judge.report.conclude(claims.are_none());
-    judge.report.description = steps::description(&found.ladder);
-    judge.report.look_at = look::at(&judge.report, &found);
-    Ok(judge.report)
+    let found = take_all(&mut report, claims, asked, ladder)?;
+    report.conclude(claims.are_none());
+    report.description = steps::description(&found.ladder);
+    report.look_at = look::at(&report, &found);
+    Ok(report)
 }
 
 /// The rotation after half the time, at the last tolerance.
@@ -120,86 +117,66 @@ fn halfway(asked: Asked<'_>, ladder: &Ladder) -> Option<Phase> {
     Some(asked.reply(&run.to(&[0.5 * duration])).ok()?.states[0])
 }
 
-/// The report as it grows.
-struct Judge<'c> {
-    claims: &'c Claims,
-    report: Report,
+/// What is to be said of what was found.
+fn finding<T>(found: &Measured<T>, of: fn(&T) -> Finding) -> Measured<Finding> {
+    found.as_ref().map(of).map_err(Trouble::clone)
 }
 
-impl Judge<'_> {
-    /// Notes what was found of the property `name`. What nobody claims is said and not judged; only
-    /// a broken protocol ends it all.
-    fn note(
-        &mut self,
-        name: &'static str,
-        claimed: Option<String>,
-        found: Measured<Finding>,
-    ) -> Measured<()> {
-        let told = match found {
-            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
-            found => found.unwrap_or_else(Finding::from),
-        };
-        let verdict = match told.verdict {
-            Verdict::NotMeasured => Verdict::NotMeasured,
-            _ if claimed.is_none() => Verdict::Unclaimed,
-            verdict => verdict,
-        };
-        self.report.findings.push(Finding { name, claimed, verdict, ..told });
-        Ok(())
-    }
-
-    /// Takes the properties one after the other; what may end a program comes last.
-    fn take_all(&mut self, asked: Asked<'_>, ladder: Ladder) -> Measured<Found> {
-        let claims = self.claims;
-        let implied = || self.claims.implied();
-        // What a solver need not have: claimed by implication where it has it.
-        let if_had = |found: &Measured<Finding>| {
-            implied().filter(|_| !matches!(found, Err(Trouble::NoAnswer(_))))
-        };
-        let power = |claim: Option<u32>| claim.map(|power| power.to_string());
-        self.note("tolerance", implied(), Ok(steps::tolerance(&ladder)))?;
-        let estimate = steps::estimate(&ladder, claims.estimate);
-        self.note("estimate", power(claims.estimate).or(if_had(&estimate)), estimate)?;
-        self.note("order", power(claims.order), steps::order(&ladder, claims.order))?;
-        self.note("precision", implied(), Ok(steps::precision(&ladder)))?;
-        let outputs = Outputs::of(asked, &ladder);
-        let found = outputs.as_ref().map(Outputs::finding).map_err(Trouble::clone);
-        self.note("output", implied(), found)?;
-        let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
-        self.note("free-outputs", free, rows::free(asked, &ladder, claims.free_outputs))?;
-        self.note("rows", implied(), rows::all(asked, &ladder))?;
-        let passages = Passages::of(asked, &ladder);
-        let found = passages.as_ref().map(Passages::finding).map_err(Trouble::clone);
-        let claimed = claims.crossings.then(|| "crossings".to_string()).or(if_had(&found));
-        self.note("crossings", claimed, found)?;
-        self.note("back", implied(), same::back(asked, &ladder))?;
-        self.note("start", implied(), same::start(asked, &ladder))?;
-        self.note("units", implied(), same::units(asked, &ladder))?;
-        self.note("mirror", implied(), same::mirror(asked, &ladder))?;
-        self.note("turn", implied(), same::turn(asked, &ladder))?;
-        self.note("repeatable", implied(), same::repeatable(asked, &ladder))?;
-        let driven = Driven::of(asked, &ladder, outputs.as_ref().ok());
-        let found = driven.as_ref().map(Driven::finding).map_err(Trouble::clone);
-        self.note("driven", if_had(&found), found)?;
-        self.note("many", implied(), rows::many(asked, &ladder))?;
-        self.note("effort", None, steps::effort(&ladder))?;
-        let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
-        self.report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
-        let outputs = outputs.ok();
-        self.report.evidence.outputs =
-            outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
-        self.report.departure = equation::departure(asked, &ladder);
-        let halfway = halfway(asked, &ladder);
-        let refusal = refusal::finding(asked);
-        self.note("refusal", if_had(&refusal), refusal)?;
-        let (passages, driven) = (passages.ok(), driven.ok());
-        Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
-    }
+/// Takes the properties one after the other; what may end a program comes last.
+fn take_all(
+    report: &mut Report,
+    claims: &Claims,
+    asked: Asked<'_>,
+    ladder: Ladder,
+) -> Measured<Found> {
+    let implied = || claims.implied();
+    // What a solver need not have: claimed by implication where it has it.
+    let if_had = |found: &Measured<Finding>| {
+        implied().filter(|_| !matches!(found, Err(Trouble::NoAnswer(_))))
+    };
+    let power = |claim: Option<u32>| claim.map(|power| power.to_string());
+    report.note("tolerance", implied(), Ok(steps::tolerance(&ladder)))?;
+    let estimate = steps::estimate(&ladder, claims.estimate);
+    report.note("estimate", power(claims.estimate).or(if_had(&estimate)), estimate)?;
+    report.note("order", power(claims.order), steps::order(&ladder, claims.order))?;
+    report.note("precision", implied(), Ok(steps::precision(&ladder)))?;
+    let outputs = Outputs::of(asked, &ladder);
+    report.note("output", implied(), finding(&outputs, Outputs::finding))?;
+    let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
+    report.note("free-outputs", free, rows::free(asked, &ladder, claims.free_outputs))?;
+    report.note("rows", implied(), rows::all(asked, &ladder))?;
+    let passages = Passages::of(asked, &ladder);
+    let found = finding(&passages, Passages::finding);
+    let claimed = claims.crossings.then(|| "crossings".to_string()).or(if_had(&found));
+    report.note("crossings", claimed, found)?;
+    report.note("back", implied(), same::back(asked, &ladder))?;
+    report.note("start", implied(), same::start(asked, &ladder))?;
+    report.note("units", implied(), same::units(asked, &ladder))?;
+    report.note("mirror", implied(), same::mirror(asked, &ladder))?;
+    report.note("turn", implied(), same::turn(asked, &ladder))?;
+    report.note("repeatable", implied(), same::repeatable(asked, &ladder))?;
+    let driven = Driven::of(asked, &ladder, outputs.as_ref().ok());
+    let found = finding(&driven, Driven::finding);
+    report.note("driven", if_had(&found), found)?;
+    report.note("many", implied(), rows::many(asked, &ladder))?;
+    report.note("effort", None, steps::effort(&ladder))?;
+    let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
+    report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
+    let outputs = outputs.ok();
+    report.evidence.outputs =
+        outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
+    report.departure = equation::departure(asked, &ladder);
+    let halfway = halfway(asked, &ladder);
+    let refusal = refusal::finding(asked);
+    report.note("refusal", if_had(&refusal), refusal)?;
+    let (passages, driven) = (passages.ok(), driven.ok());
+    Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Verdict;
     use crate::solver::ByTolerance;
     use pendula::adaptive::TaylorSeries;
     use pendula::methods::{Dop853, DormandPrince};

@@ -88,7 +88,7 @@ pub fn mirror(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     let mut error = 0.0;
     for start in starts {
         let mirrored = |z: Phase| Phase { theta: -z.theta, omega: -z.omega };
-        let end = |z: Phase| Ok(asked.reply(&ladder.run(z).to(&[duration]))?.states[0]);
+        let end = |z: Phase| asked.reply(&ladder.run(z).to(&[duration])).map(|it| it.states[0]);
         let (here, there) = (end(start)?, mirrored(end(mirrored(start))?));
         error = libm::fmaximum(error, asked.scenes.apart(here, there));
     }
