@@ -41,11 +41,26 @@ def cargo(work, crate, *more):
     return work / "rust" / "target" / "debug"
 
 
-def command(source, work):
-    """What runs a program, which it builds first."""
+def python(report, work):
+    """The Python in which the library of a report is: that of the integrators, or else that of the
+    solvers, which is set up when it is first asked for."""
+    library = re.search(r"\*Library:\* (\S+?)\.? ", report.read_text())[1]
+    pinned = (work / "python" / "requirements.txt").read_text().lower()
+    if f"\n{library.lower()}==" in pinned:
+        return work / "venv" / "bin" / "python"
+    interpreter = work / "solvers" / "bin" / "python"
+    if not interpreter.exists():
+        built(["python3", "-m", "venv", work / "solvers"])
+        listed = work / "python" / "solvers-requirements.txt"
+        built([interpreter, "-m", "pip", "install", "-q", "-r", listed])
+    return interpreter
+
+
+def command(report, source, work):
+    """What runs the program of a report, which it builds first."""
     name, out = source.stem, source.with_suffix("")
     if source.suffix == ".py":
-        return [work / "venv" / "bin" / "python", source]
+        return [python(report, work), source]
     if source.suffix == ".mjs":
         return ["node", source]
     if source.suffix == ".R":
@@ -77,7 +92,8 @@ def run(names, reports, work):
         if names and report.stem not in names:
             continue
         try:
-            told = subprocess.run(command(source, work), check=True, capture_output=True, text=True)
+            call = command(report, source, work)
+            told = subprocess.run(call, check=True, capture_output=True, text=True)
             text = report.read_text()
             start, end = OUTPUT.search(text).span(2)
             report.write_text(text[:start] + told.stdout + text[end:])

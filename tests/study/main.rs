@@ -13,6 +13,7 @@ mod geometry;
 mod ledger;
 mod named_files;
 mod predictions;
+mod published;
 mod questions;
 mod readme;
 mod rounding;

@@ -80,6 +80,7 @@ fn kind(name: &str, anchor: &str) -> Option<Kind> {
         "figure" => Kind::Figure,
         "hashes" => Kind::Hashes,
         "diff" => Kind::Example,
+        "judged" => Kind::Judged,
         _ => return None,
     })
 }

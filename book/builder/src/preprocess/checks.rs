@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_preprocessor::book::Book;
-use pendula_study::report::snapshots::Kind;
 
 use super::{chapters, name};
 use crate::ledger::Ledger;
@@ -84,8 +83,8 @@ fn anchored(text: &str, name: &str) -> Option<String> {
     Some(lines.filter(|line| !line.contains("ANCHOR")).collect())
 }
 
-/// Compares each snapshot among the included files with what `ledger` makes of it. Those that are
-/// recorded cannot be compared.
+/// Compares each snapshot among the included files with what `ledger` makes of it. Those that a
+/// command or a test makes cannot be compared.
 pub fn snapshots(included: &BTreeSet<PathBuf>, ledger: &dyn Ledger) -> Result<()> {
     let mut quoted: BTreeMap<String, (String, File)> = BTreeMap::new();
     let is_in_folder = |path: &&PathBuf| path.parent().is_some_and(|at| at.ends_with("snapshots"));
@@ -99,7 +98,7 @@ pub fn snapshots(included: &BTreeSet<PathBuf>, ledger: &dyn Ledger) -> Result<()
                  --accept {name}`"
             )
         })?;
-        if file.content.kind != Kind::Recorded {
+        if file.content.kind.is_of_the_study() {
             quoted.insert(name.to_string(), (shown.clone(), file));
         }
     }
@@ -126,6 +125,8 @@ pub fn snapshots(included: &BTreeSet<PathBuf>, ledger: &dyn Ledger) -> Result<()
 #[cfg(test)]
 mod tests {
     use std::fs;
+
+    use pendula_study::report::snapshots::Kind;
 
     use super::*;
     use crate::ledger::Entry;

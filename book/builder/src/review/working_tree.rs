@@ -5,7 +5,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::{Result, bail, ensure};
-use pendula_study::report::snapshots::Kind;
 
 use crate::versions::{Content, File, Made, Version, on_disk};
 use pendula_output::files::together::{self, Change};
@@ -34,7 +33,7 @@ impl WorkingTree {
         let (mut now, failed) = compute()?;
         let (mut recorded, mut stale) = (Vec::new(), Vec::new());
         for (name, found) in &reviewed {
-            let is_recorded = matches!(found.content.kind, Kind::Recorded | Kind::Hashes);
+            let is_recorded = !found.content.kind.is_of_the_study();
             if is_recorded || failed.contains_key(name) {
                 now.insert(name.clone(), found.content.clone());
             }
@@ -43,7 +42,7 @@ impl WorkingTree {
         for (name, found) in &pending {
             let waits = &found.content;
             let gives = now.get(name).filter(|_| !failed.contains_key(name));
-            if matches!(waits.kind, Kind::Recorded | Kind::Hashes) {
+            if !waits.kind.is_of_the_study() {
                 now.insert(name.clone(), waits.clone());
                 recorded.extend((!recorded.contains(name)).then(|| name.clone()));
             } else if gives.is_none_or(|gives| gives.text != waits.text) {

@@ -14,6 +14,7 @@ mod limits;
 mod long_run;
 mod order;
 mod other_systems;
+mod others;
 mod pendulum;
 mod phase_space;
 mod rk4;
@@ -84,6 +85,7 @@ const CHAPTERS: &[&[(&str, Compute)]] = &[
     other_systems::QUESTIONS,
     choosing::QUESTIONS,
     judging::QUESTIONS,
+    others::QUESTIONS,
     exam::QUESTIONS,
 ];
 

@@ -26,6 +26,9 @@ pub enum Kind {
     Recorded,
     /// A difference of tables, shown to a reader as an example.
     Example,
+    /// What a test judges of other people's solvers, from their recorded answers: the study and the
+    /// book do without the judge and these answers.
+    Judged,
 }
 
 impl Kind {
@@ -36,7 +39,13 @@ impl Kind {
             Self::Figure => "figure",
             Self::Hashes => "hashes",
             Self::Example => "diff",
+            Self::Judged => "judged",
         }
+    }
+
+    /// Whether the study makes it, and not a command or a test of its own.
+    pub const fn is_of_the_study(self) -> bool {
+        !matches!(self, Self::Recorded | Self::Hashes | Self::Judged)
     }
 
     /// The stem of the file in `snapshots/` that holds the snapshot `name`. It begins with a digit,

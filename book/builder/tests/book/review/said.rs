@@ -77,6 +77,14 @@ fn what_falls_and_what_is_lost_counts() {
     assert_eq!(lost, ["Symplectic Euler: symplectic (yes → no)"]);
 }
 
+/// Catches: another verdict on somebody's solver of which a review says that nothing moved.
+#[test]
+fn another_judgement_is_said() {
+    let review = review(&[("solvers", " holds |", " fails |")]);
+    let moved = said(&review, Weight::Moved);
+    assert_eq!(moved, ["1 judgement of published solvers moved: `solvers`"]);
+}
+
 /// What two digits exchanged in Suzuki's cube root of 4 do.
 const SUZUKI: [(&str, &str, &str); 2] = [
     (

@@ -64,11 +64,15 @@ impl Drawing {
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
-        // The Markdown processor makes apostrophes typographic, but not in HTML.
-        let caption = wrapped(&self.words().caption.replace('\'', "’"));
-        let svg = self.svg(study);
-        format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
+        captioned(&self.svg(study), &self.words().caption)
     }
+}
+
+/// The drawing over its caption, as a `<figure>` element without a blank line.
+pub fn captioned(svg: &str, caption: &str) -> String {
+    // The Markdown processor makes apostrophes typographic, but not in HTML.
+    let caption = wrapped(&caption.replace('\'', "’"));
+    format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
 }
 
 /// The figures, file by file.
