@@ -1,5 +1,7 @@
 //! What to look at where a claim of a solver fails: the cause first.
 
+use core::f64::consts::TAU;
+
 use super::Found;
 use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
@@ -81,6 +83,7 @@ const CAUSES: &[Known] = &[
         Some((sentence, &["order", "estimate", "tolerance"]))
     }),
     ("tolerance", |_, found| Some(uneven(&found.ladder))),
+    ("turn", |report, _| turned(report)),
     says!(
         "back",
         &["back", "rows", "crossings"],
@@ -141,6 +144,20 @@ const CAUSES: &[Known] = &[
 /// Whether this property fails.
 fn fails(report: &Report, name: &str) -> bool {
     report.finding(name).is_some_and(|it| it.verdict == Verdict::Fails)
+}
+
+/// A start ten turns on that comes out whole turns off, within what is allowed there; a start of
+/// another property may lie beyond half a turn, too.
+fn turned(report: &Report) -> Option<Cause> {
+    let finding = report.finding("turn")?;
+    let turns = finding.values.first()? / TAU;
+    let whole = libm::round(turns);
+    let is_wrapped = whole >= 1.0 && (turns - whole).abs() * TAU <= *finding.bound.as_ref()?;
+    is_wrapped.then(|| {
+        let sentence =
+            "A start beyond half a turn comes out whole turns off: its angle is wrapped.";
+        (sentence.to_string(), &["turn", "back", "crossings", "driven"][..])
+    })
 }
 
 /// An error that falls no more.

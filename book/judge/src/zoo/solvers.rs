@@ -46,6 +46,7 @@ enum Slip {
     DriveAtStepStartBetween,
     DriveFromStart,
     AngleWrapped,
+    StartWrapped,
     StepKept,
     CountKept,
     NanPasses,
@@ -123,6 +124,7 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         eight("the drive as at the start of a step between steps", DriveAtStepStartBetween),
         five("the drive as at the time since the start", DriveFromStart),
         five("the angle wrapped", AngleWrapped),
+        five("the angle of the start wrapped", StartWrapped),
         five("a step kept from the last request", StepKept),
         five("a count kept from the last request", CountKept),
         five("an error that is no number passes", NanPasses),
@@ -175,6 +177,9 @@ impl<M: Embedded> Slipping<M> {
         let allowed = allowed.map_err(|error| Fault::Refused(error.to_string()))?;
         let order = f64::from(M::ESTIMATE_ORDER);
         let (mut t, mut z) = (request.from, request.start);
+        if is(StartWrapped) {
+            z = wrapped(z);
+        }
         let mut times = request.times.clone();
         let mut done = 0;
         let mut rows = Vec::new();
@@ -314,7 +319,7 @@ impl<M: Embedded> Slipping<M> {
             }
         }
         if is(AngleWrapped) {
-            rows.iter_mut().for_each(|z| z.theta -= TAU * libm::floor((z.theta + PI) / TAU));
+            rows.iter_mut().for_each(|z| *z = wrapped(*z));
         }
         Ok(rows)
     }
@@ -330,6 +335,11 @@ impl<M: Embedded> Slipping<M> {
             _ => Err(Fault::Refused("a time is not finite".to_string())),
         }
     }
+}
+
+/// A state with its angle within half a turn.
+fn wrapped(z: Phase) -> Phase {
+    Phase { theta: z.theta - TAU * libm::floor((z.theta + PI) / TAU), ..z }
 }
 
 /// A state in single precision.
