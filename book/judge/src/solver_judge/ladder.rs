@@ -111,7 +111,7 @@ impl Ladder {
                 Err(Trouble::NoAnswer(_)) if ladder.rungs.is_empty() && k + 1 < RUNGS => continue,
                 Err(Trouble::NoAnswer(why)) if !ladder.rungs.is_empty() => {
                     ladder.ended =
-                        Some(format!("it refuses a tolerance of {tolerance:.0e}: {why}"));
+                        Some(format!("no answer at a tolerance of {tolerance:.0e}: {why}"));
                     break;
                 }
                 Err(trouble) => return Err(trouble),

@@ -154,7 +154,7 @@ impl<'t> Recorded<'t> {
 
     /// The words of an answer.
     fn words(&self, request: &impl Display) -> Result<Vec<&'t str>, Fault> {
-        let not_recorded = || Fault::Refused("not recorded".to_string());
+        let not_recorded = || Fault::Refused("its record has no answer".to_string());
         let key = key(&request.to_string());
         let (answers, given) = self.0.get(key.as_str()).ok_or_else(not_recorded)?;
         let index = given.replace(given.get() + 1).min(answers.len() - 1);
