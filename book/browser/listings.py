@@ -9,12 +9,13 @@ from pathlib import Path
 from browser import Part
 
 ROOT = Path(__file__).resolve().parents[2]
-# The buttons of the listings that run, and what stands below each.
-LISTINGS = """all('pre:has(> code.language-rust:not(.ignore))').map(listing => {
+# The buttons of the listings that run, and what stands below each. Programs of reports on other
+# people's libraries need these.
+LISTINGS = """all('pre:not(.reports *):has(> code.language-rust:not(.ignore))').map(listing => {
     const below = listing.nextElementSibling;
     return below?.matches('.output') ? below.textContent.trim() : null;
 })"""
-PRESS = """all('pre:has(> code.language-rust:not(.ignore))')[given]
+PRESS = """all('pre:not(.reports *):has(> code.language-rust:not(.ignore))')[given]
     .querySelector('.clip-button').click()"""
 
 

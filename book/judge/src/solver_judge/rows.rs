@@ -116,10 +116,12 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
         let states = asked.reply(&request)?.states;
         Ok((begun.elapsed().as_secs_f64(), asked::errors(&request, &states)))
     };
+    let patience = asked.solver.patience().as_secs_f64();
+    let slow = |tenth, all| is_slow(tenth, all, patience);
     let mut count = MANY / 10;
     let ((mut tenth, _), (mut took, mut errors)) = (timed(count / 10)?, timed(count)?);
-    let in_time = 10.0 * took < 0.25 * asked.solver.patience().as_secs_f64();
-    if in_time && !is_slow(tenth, took) {
+    let in_time = 10.0 * took < 0.25 * patience;
+    if in_time && !slow(tenth, took) {
         match timed(MANY) {
             // Then it is judged by fewer.
             Err(Trouble::NoAnswer(_)) => {}
@@ -132,7 +134,7 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     // The first answer of a size may take longer, as of a program that compiles for it; and other
     // programs may take the time, but ten times a tenth is as much work, which they delay alike.
     for _ in 0..3 {
-        if is_slow(tenth, took) {
+        if slow(tenth, took) {
             tenth = 0.0;
             for _ in 0..10 {
                 tenth += timed(count / 10)?.0 / 10.0;
@@ -141,7 +143,7 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
         }
     }
     let (largest, bound) = (largest_of(errors), 10.0 * ladder.usual_error()?);
-    let (verdict, measured) = match is_slow(tenth, took) {
+    let (verdict, measured) = match slow(tenth, took) {
         true => {
             let ratio = took / tenth.max(1e-9);
             let slow = format!("{took:.1} s, {ratio:.0} times as long as a tenth of them");
@@ -158,7 +160,8 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
 }
 
 /// Whether all outputs take too long (s) beside a tenth of them: ten times as long where the time
-/// is linear, and a hundred times where it is not; less than 0.3 s is not worth a complaint.
-fn is_slow(tenth: f64, all: f64) -> bool {
-    all > 40.0 * tenth.max(1e-9) && all > 0.3
+/// is linear, and a hundred times where it is not. Less than a thirtieth of what is waited for is
+/// not worth a complaint, and nobody waits for what is recorded.
+fn is_slow(tenth: f64, all: f64, patience: f64) -> bool {
+    all > 40.0 * tenth.max(1e-9) && all > patience / 30.0
 }
