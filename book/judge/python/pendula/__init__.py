@@ -21,17 +21,10 @@ in the accelerations and the energy of pendulums. Both read :func:`known_answers
 
 from .answers import NotJudged
 from .equation import Force, Rate, State
+from .identity import Entry, Identity, identify
 from .judging import Property, Report, judge, judge_rate, judge_solver, program, serve
-from .known import (
-    Compared,
-    Entry,
-    Identity,
-    WrongTerm,
-    check_energy,
-    check_right_hand_side,
-    identify,
-    known_answers,
-)
+from .known import known_answers
+from .right_hand_sides import Compared, WrongTerm, check_energy, check_right_hand_side
 
 __all__ = [
     "Compared",

@@ -1,0 +1,360 @@
+"""Whether the right-hand side or the energy of a pendulum is right, and what is wrong with it."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Callable, Generic, Literal, NamedTuple, TypeVar, Union, overload
+
+from .known import DOUBLE, read_once
+
+#: A program has a mistake of a right-hand side if it is within so many tolerances of it: they are
+#: measured on right formulas, and wrong ones may round more.
+OF_A_MISTAKE = 4
+
+
+class PendulumState(NamedTuple):
+    """A state of a single pendulum, and its parameters. Angles are from the downward vertical."""
+
+    #: Of the driven pendulum: the time (s).
+    t: float
+    #: The angle (rad).
+    theta: float
+    #: The angular velocity (rad/s).
+    omega: float
+    #: The gravitational acceleration (m/s²).
+    g: float
+    #: Of the rod (m).
+    length: float
+    #: Of the bob (kg).
+    mass: float
+    #: The damping β (1/s): the drag is 2βω.
+    beta: float
+    #: Of the drive A cos Ωt (rad/s²).
+    amplitude: float
+    #: Ω (rad/s).
+    frequency: float
+
+
+class DoublePendulumState(NamedTuple):
+    """A state of the double pendulum, and its parameters. Both angles are from the downward
+    vertical; 1 is the upper."""
+
+    #: The angles (rad).
+    theta1: float
+    theta2: float
+    #: The angular velocities (rad/s).
+    omega1: float
+    omega2: float
+    #: The gravitational acceleration (m/s²).
+    g: float
+    #: Of the rods (m).
+    length1: float
+    length2: float
+    #: Of the bobs (kg).
+    mass1: float
+    mass2: float
+
+
+class DoublePendulumMomenta(NamedTuple):
+    """The same in the momenta (kg m²/s) of the angles."""
+
+    theta1: float
+    theta2: float
+    p1: float
+    p2: float
+    g: float
+    length1: float
+    length2: float
+    mass1: float
+    mass2: float
+
+
+AnyState = Union[PendulumState, DoublePendulumState, DoublePendulumMomenta]
+S = TypeVar("S", PendulumState, DoublePendulumState, DoublePendulumMomenta, AnyState)
+#: What the file calls parameters by a letter.
+LETTERS = {"length": "l", "mass": "m"}
+STATES: dict[str, type[AnyState]] = {
+    "pendulum": PendulumState,
+    "damped-pendulum": PendulumState,
+    "driven-pendulum": PendulumState,
+    "double-pendulum": DoublePendulumState,
+    "double-pendulum-momenta": DoublePendulumMomenta,
+}
+Single = Literal["pendulum", "damped-pendulum", "driven-pendulum"]
+
+
+@dataclass(frozen=True)
+class WrongTerm:
+    """A usual mistake in a right-hand side or an energy."""
+
+    #: Its name in the file.
+    name: str
+    #: What is wrong.
+    what: str
+    #: What comes of it, or for what it is right.
+    effect: str
+    #: Where it was seen.
+    seen: str
+
+
+@dataclass(frozen=True)
+class Compared(Generic[S]):
+    """A function beside the file."""
+
+    #: Of what: the name of the system.
+    system: str
+    #: Whether it agrees with the file at every state.
+    holds: bool
+    #: The usual mistakes that it can be: several where the states do not tell which.
+    mistakes: tuple[WrongTerm, ...]
+    #: How far off it is where it is worst, in tolerances.
+    distance: float
+    #: That state,
+    state: S
+    #: what the function said there,
+    found: tuple[float, ...]
+    #: and what is right.
+    right: tuple[float, ...]
+    #: The names of mistakes that the states do not show: none, if all parameters were tried.
+    hidden: tuple[str, ...]
+
+    @property
+    def mistake(self) -> WrongTerm | None:
+        """The usual mistake that it is, if that is known."""
+        return self.mistakes[0] if len(self.mistakes) == 1 else None
+
+    def check(self) -> None:
+        """Raises AssertionError, with the mistake, unless it holds."""
+        if not self.holds:
+            raise AssertionError(str(self))
+
+    def __str__(self) -> str:
+        if self.holds:
+            count = len(self.hidden)
+            return "it is right" + (f"; {count} mistakes would not show" if count else "")
+        if self.mistake:
+            return f"{self.system}: {self.mistake.what} ({self.mistake.effect})"
+        if self.mistakes:
+            whats = "; or ".join(wrong.what for wrong in self.mistakes)
+            return f"{self.system}, one of these mistakes: {whats}"
+        return (
+            f"{self.system}: wrong, by no usual mistake; {self.found} for {self.right} at "
+            f"{self.state}"
+        )
+
+
+@overload
+def check_right_hand_side(
+    system: Single,
+    f: Callable[[PendulumState], float],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[PendulumState]: ...
+@overload
+def check_right_hand_side(
+    system: Literal["double-pendulum"],
+    f: Callable[[DoublePendulumState], Iterable[float]],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[DoublePendulumState]: ...
+@overload
+def check_right_hand_side(
+    system: Literal["double-pendulum-momenta"],
+    f: Callable[[DoublePendulumMomenta], Iterable[float]],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[DoublePendulumMomenta]: ...
+def check_right_hand_side(
+    system: str,
+    f: Callable[[Any], Any],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[Any]:
+    """Compares the accelerations that ``f`` computes with the file, and says which usual mistake
+    is in them.
+
+    ``f`` is given a state with the parameters, and returns the angular acceleration (rad/s²); of
+    the double pendulum both, the upper first; of ``"double-pendulum-momenta"`` the rates of the
+    angles and of the momenta. θ″ = −(g/length) sin θ − 2βω + A cos Ωt, without drag and drive where
+    the system has none.
+
+    >>> from math import sin
+    >>> check_right_hand_side("pendulum", lambda z: -z.g / z.length * sin(z.theta)).holds
+    True
+    >>> print(check_right_hand_side("pendulum", lambda z: -z.length / z.g * sin(z.theta)))
+    pendulum: l/g for g/l (right only where g = l)
+
+    The parameters are of several sets. A program that has its own, lengths and masses of 1 and
+    g = 9.81, is asked for ``parameters="usual"`` alone; there not every mistake shows:
+
+    >>> found = check_right_hand_side(
+    ...     "pendulum", lambda z: -9.81 * sin(z.theta), parameters="usual")
+    >>> print(found)
+    it is right; 9 mistakes would not show
+
+    ``epsilon`` is that of the precision of ``f``, 2**-23 in single precision. ``ValueError`` for a
+    system or parameters that the file does not have, or if ``f`` returns not as many numbers.
+    """
+    known = _system(system)
+    names = known["rates"]
+
+    def rates(state: AnyState) -> tuple[float, ...]:
+        said = f(state)
+        numbers = tuple(map(float, said)) if isinstance(said, Iterable) else (float(said),)
+        if len(numbers) != len(names):
+            raise ValueError(f"{len(names)} numbers, {', '.join(names)}, and not {len(numbers)}")
+        return numbers
+
+    return _compared(system, rates, "mistakes", parameters, epsilon)
+
+
+@overload
+def check_energy(
+    system: Literal["pendulum"],
+    f: Callable[[PendulumState], float],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[PendulumState]: ...
+@overload
+def check_energy(
+    system: Literal["double-pendulum"],
+    f: Callable[[DoublePendulumState], float],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[DoublePendulumState]: ...
+@overload
+def check_energy(
+    system: Literal["double-pendulum-momenta"],
+    f: Callable[[DoublePendulumMomenta], float],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[DoublePendulumMomenta]: ...
+def check_energy(
+    system: str,
+    f: Callable[[Any], float],
+    *,
+    parameters: str | None = None,
+    epsilon: float = DOUBLE,
+) -> Compared[Any]:
+    """Compares the energy (J) that ``f`` computes with the file. Where it is 0 does not matter:
+    what is compared is the energy less that of the same pendulum at rest, hanging.
+
+    >>> from math import cos
+    >>> def energy(z):
+    ...     return z.mass * (z.length * z.omega) ** 2 - z.mass * z.g * z.length * cos(z.theta)
+    >>> print(check_energy("pendulum", energy))
+    pendulum: m l² ω² for ½ m l² ω² (is not conserved)
+    """
+    if not _system(system)["energy_mistakes"]:
+        raise ValueError(f"the energy of the {system} is that of the pendulum: ask for that")
+
+    def above_rest(state: AnyState) -> tuple[float, ...]:
+        rest = state._replace(**{name: 0.0 for name in _system(system)["state"]})
+        return (float(f(state)) - float(f(rest)),)
+
+    return _compared(system, above_rest, "energy_mistakes", parameters, epsilon)
+
+
+def _system(system: str) -> dict[str, Any]:
+    systems: dict[str, dict[str, Any]] = read_once()["right_hand_sides"]
+    if system not in systems:
+        raise ValueError(f"no {system!r} among {', '.join(systems)}")
+    return systems[system]
+
+
+def _state(system: str, answer: Mapping[str, str]) -> AnyState:
+    """The state of an answer, with its parameters."""
+    kind = STATES[system]
+    inputs = {**answer, **_system(system)["sets"][answer["set"]]}
+    numbers = {}
+    for field in kind._fields:
+        word, digit = field.rstrip("12"), field[len(field.rstrip("12")) :]
+        # A pendulum without drag or drive has none.
+        numbers[field] = float(inputs.get(LETTERS.get(word, word) + digit, 0))
+    return kind(**numbers)
+
+
+class _Point(NamedTuple):
+    """An answer of the file, with the numbers that mistakes have there."""
+
+    set: str
+    state: AnyState
+    right: list[float]
+    #: In ε of the size.
+    tolerance: float
+    #: The least size.
+    least: float
+    wrong: list[list[float]]
+
+    def off(self, found: Sequence[float], those: Sequence[float], epsilon: float) -> float:
+        """How far from those numbers, in tolerances; the size is that of them or of the right ones,
+        whichever is larger."""
+        apart = [abs(x - y) for x, y in zip(found, those)]
+        # So that a NaN agrees with nothing, and is as far as can be.
+        largest = math.inf if any(map(math.isnan, apart)) else max(apart)
+        size = max(self.least, *map(abs, self.right), *map(abs, those))
+        return largest / (self.tolerance * epsilon * size)
+
+
+@functools.cache
+def _points(system: str, mistakes: str) -> list[_Point]:
+    known = _system(system)
+    names = known["rates"] if mistakes == "mistakes" else ["energy"]
+    found = []
+    for i, answer in enumerate(known["answers"]):
+        tolerance, least = answer["tolerance"], 0.0
+        if names == ["energy"]:
+            tolerance = answer["energy_tolerance"]
+            least = float(known["sets"][answer["set"]]["depth"])
+        right = [float(answer[name]) for name in names]
+        wrong = [[float(one[name][i]) for name in names] for one in known[mistakes]]
+        state = _state(system, answer)
+        found.append(_Point(answer["set"], state, right, float(tolerance), least, wrong))
+    return found
+
+
+def _compared(
+    system: str,
+    f: Callable[[AnyState], tuple[float, ...]],
+    mistakes: str,
+    parameters: str | None,
+    epsilon: float,
+) -> Compared[Any]:
+    known = _system(system)
+    if parameters is not None and parameters not in known["sets"]:
+        raise ValueError(f"no parameters {parameters!r} among {', '.join(known['sets'])}")
+    points = [p for p in _points(system, mistakes) if parameters in (None, p.set)]
+    found = [f(point.state) for point in points]
+    rights = [tuple(point.right) for point in points]
+    distances = [p.off(x, p.right, epsilon) for p, x in zip(points, found)]
+    worst = distances.index(max(distances))
+
+    def like(numbers: Sequence[tuple[float, ...]]) -> list[WrongTerm]:
+        """The mistakes that lead to these numbers."""
+        return [
+            WrongTerm(wrong["name"], wrong["what"], wrong["effect"], wrong["seen"])
+            for i, wrong in enumerate(known[mistakes])
+            if all(p.off(x, p.wrong[i], epsilon) <= OF_A_MISTAKE for p, x in zip(points, numbers))
+        ]
+
+    holds = max(distances) <= 1
+    return Compared(
+        system=system,
+        holds=holds,
+        mistakes=() if holds else tuple(like(found)),
+        distance=distances[worst],
+        state=points[worst].state,
+        found=found[worst],
+        right=rights[worst],
+        hidden=tuple(wrong.name for wrong in like(rights)),
+    )
