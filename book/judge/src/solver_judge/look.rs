@@ -167,8 +167,8 @@ fn no_further(floor: Floor) -> Cause {
         true => format!("Below {below} the tolerance does nothing."),
         false => format!(
             "Below {below} the error stays at {} rad, though the steps change: something is not \
-             held to the tolerance, as a first step that is not checked or a constant of few \
-             digits.",
+             held to the tolerance, as a first step that is not checked, a constant of few \
+             digits, or rounding in large weights.",
             scientific(floor.error)
         ),
     };

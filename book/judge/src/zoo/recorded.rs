@@ -68,20 +68,29 @@ impl<'s> Recording<'s> {
         Self { solver, notes: RefCell::new(Vec::new()) }
     }
 
-    /// The lines to keep.
+    /// The lines to keep: of equal answers at the end one, as the last is given again.
     ///
     /// # Panics
     /// If two requests have one key.
     pub fn lines(self) -> String {
+        // Of each key the request, the last answer, and how often that was given again.
         let mut keys = HashMap::new();
-        let notes = self.notes.into_inner().into_iter();
-        let lines = notes.map(|(request, told)| {
+        let mut lines = String::new();
+        for (request, told) in self.notes.into_inner() {
             let key = key(&request);
-            let first = keys.entry(key.clone()).or_insert_with(|| request.clone());
+            let known =
+                keys.entry(key.clone()).or_insert_with(|| (request.clone(), String::new(), 0));
+            let (first, last, again) = known;
             assert_eq!(*first, request, "two requests of one key");
-            format!("{key} {told}\n")
-        });
-        lines.collect()
+            if told == *last {
+                *again += 1;
+                continue;
+            }
+            lines += &format!("{key} {last}\n").repeat(*again);
+            lines += &format!("{key} {told}\n");
+            (*last, *again) = (told, 0);
+        }
+        lines
     }
 
     /// Notes an answer, or why there is none, and hands it on.
