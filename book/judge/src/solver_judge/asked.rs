@@ -15,7 +15,7 @@ use pendula::systems::Phase;
 pub const USUAL: f64 = 1e-7;
 
 /// The pendulum that most requests are about, and their runs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scenes {
     /// g/L (1/s²).
     pub g_over_l: f64,

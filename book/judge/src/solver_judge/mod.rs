@@ -21,6 +21,7 @@ use ladder::Ladder;
 use outputs::Outputs;
 #[cfg(feature = "zoo")]
 pub(crate) use outputs::PARTS;
+use steps::Ours;
 
 use crate::judge::verdict::{Measured, Trouble};
 use crate::solver::Solver;
@@ -135,7 +136,8 @@ fn take_all(
         implied().filter(|_| !matches!(found, Err(Trouble::NoAnswer(_))))
     };
     let power = |claim: Option<u32>| claim.map(|power| power.to_string());
-    report.note("tolerance", implied(), Ok(steps::tolerance(&ladder)))?;
+    let ours = Ours::of(asked.scenes);
+    report.note("tolerance", implied(), Ok(steps::tolerance(&ladder, &ours)))?;
     let estimate = steps::estimate(&ladder, claims.estimate);
     report.note("estimate", power(claims.estimate).or(if_had(&estimate)), estimate)?;
     report.note("order", power(claims.order), steps::order(&ladder, claims.order))?;
@@ -159,7 +161,7 @@ fn take_all(
     let found = finding(&driven, Driven::finding);
     report.note("driven", if_had(&found), found)?;
     report.note("many", implied(), rows::many(asked, &ladder))?;
-    report.note("effort", None, steps::effort(&ladder))?;
+    report.note("effort", None, steps::effort(&ladder, &ours))?;
     let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
     report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
     let outputs = outputs.ok();

@@ -1,7 +1,10 @@
 //! What the ladder of tolerances tells: whether the tolerance is kept, the power of the estimate,
 //! the order, the precision and the effort.
 
-use super::asked::{Asked, Power, single};
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use super::asked::{Asked, Power, Scenes, single};
 use super::ladder::{Ladder, Rung};
 use super::outputs::{in_words, rounded};
 use crate::judge::report::{Finding, about, scientific};
@@ -25,7 +28,7 @@ const AN_EVALUATION: f64 = 20.0;
 ///
 /// Of a method of order p with an estimate of power q at most p + 1, the error goes as tol^(p/q):
 /// at least as tol^(p/(p + 1)), and a fifth less is allowed for what bends the line.
-pub fn tolerance(ladder: &Ladder) -> Finding {
+pub fn tolerance(ladder: &Ladder, ours: &Ours) -> Finding {
     let Some(slope) = ladder.by_tolerance() else {
         return no_slope(ladder);
     };
@@ -59,13 +62,12 @@ pub fn tolerance(ladder: &Ladder) -> Finding {
             ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default()
         ),
     };
-    let beside = reference(ladder, &ByTolerance::new(DormandPrince));
     let why = format!(
         "it has to fall at least as tol^{least:.2}, never to rise more than {RISE:.0} times, and \
          to be {AN_EVALUATION:.0} tolerances at most for each evaluation ({}); Dormand–Prince's is \
          {} times the tolerance",
         ladder.an_evaluation().map_or("–".to_string(), |(times, _)| rounded(times)),
-        rounded(multiple(&beside, ladder.usual()))
+        rounded(multiple(&ours.dormand_prince, ladder.usual()))
     );
     Finding { measured, values: vec![slope.value, rise], verdict, why, ..Finding::default() }
 }
@@ -92,14 +94,32 @@ fn multiple(ladder: &Ladder, tolerance: f64) -> f64 {
     nearest.map_or(f64::NAN, |rung| rung.largest() / rung.tolerance)
 }
 
-/// The ladder of a method of the library.
-fn reference(ladder: &Ladder, solver: &dyn Solver) -> Ladder {
-    Ladder::of(Asked { solver, scenes: ladder.scenes }).unwrap_or(Ladder {
-        scenes: ladder.scenes,
-        rungs: Vec::new(),
-        ended: None,
-        miscount: None,
-    })
+/// The ladders of two methods of the library, as yardsticks.
+#[derive(Clone)]
+pub struct Ours {
+    dormand_prince: Ladder,
+    dop853: Ladder,
+}
+
+/// Those of the usual scenes: who judges many solvers needs them once.
+static USUAL: LazyLock<Ours> = LazyLock::new(|| Ours::run(Scenes::USUAL));
+
+impl Ours {
+    /// Those of these scenes.
+    pub fn of(scenes: Scenes) -> Cow<'static, Self> {
+        if scenes == Scenes::USUAL { Cow::Borrowed(&USUAL) } else { Cow::Owned(Self::run(scenes)) }
+    }
+
+    fn run(scenes: Scenes) -> Self {
+        let of = |solver: &dyn Solver| {
+            let nothing = Ladder { scenes, rungs: Vec::new(), ended: None, miscount: None };
+            Ladder::of(Asked { solver, scenes }).unwrap_or(nothing)
+        };
+        Self {
+            dormand_prince: of(&ByTolerance::new(DormandPrince)),
+            dop853: of(&ByTolerance::new(Dop853)),
+        }
+    }
 }
 
 /// An error if nobody counts.
@@ -215,7 +235,7 @@ pub fn precision(ladder: &Ladder) -> Finding {
 }
 
 /// Evaluations beside those of the library for the same error.
-pub fn effort(ladder: &Ladder) -> Measured<Finding> {
+pub fn effort(ladder: &Ladder, ours: &Ours) -> Measured<Finding> {
     counted(ladder)?;
     let at = |ladder: &Ladder, error: f64| {
         ladder.rungs.windows(2).find_map(|pair| {
@@ -225,10 +245,7 @@ pub fn effort(ladder: &Ladder) -> Measured<Finding> {
                 .then(|| n * libm::pow(m / n, libm::log(a / error) / libm::log(a / b)))
         })
     };
-    let others = [
-        reference(ladder, &ByTolerance::new(DormandPrince)),
-        reference(ladder, &ByTolerance::new(Dop853)),
-    ];
+    let others = [&ours.dormand_prince, &ours.dop853];
     let ratios: Option<Vec<f64>> =
         others.iter().map(|it| Some(at(ladder, 1e-6)? / at(it, 1e-6)?)).collect();
     let unknown = || Trouble::NoAnswer("its errors are not on both sides of 10⁻⁶ rad".to_string());
