@@ -1,6 +1,9 @@
 //! The judge of solvers: on wrong ones, each with one slip, and on those of other projects, by
 //! their recorded answers.
 
+use std::cell::Cell;
+
+use pendula::Phase;
 use pendula::methods::{Dop853, DormandPrince};
 use pendula_judge::zoo::recorded::{Recorded, Recording};
 use pendula_judge::zoo::solvers::wrong_solvers;
@@ -102,6 +105,29 @@ fn a_refused_passage_is_no_wrong_one() {
         .map(|it| it.name)
         .collect();
     assert_eq!((report.verdict, &unclear[..]), (Verdict::Unclear, &["crossings"][..]), "{report}");
+}
+
+/// Catches: an answer that is left out of a record since it had been given before, where another
+/// came after it.
+#[test]
+fn a_record_gives_its_answers_in_their_order() {
+    struct Changing(Cell<usize>);
+    impl Solver for Changing {
+        fn solve(&self, _: &SolveRequest) -> Result<Reply, Fault> {
+            let theta = [1.0, 1.0, 2.0, 1.0, 1.0][self.0.replace(self.0.get() + 1)];
+            Ok(Reply { states: vec![Phase::at_rest(theta)], evaluations: Some(3) })
+        }
+    }
+    let request = SolveRequest::new(9.81, Phase::at_rest(1.0), 1e-3).to(&[1.0]);
+    let thetas = |solver: &dyn Solver| -> Vec<f64> {
+        (0..5).map(|_| solver.solve(&request).unwrap().states[0].theta).collect()
+    };
+    let changing = Changing(Cell::new(0));
+    let recording = Recording::of(&changing);
+    let given = thetas(&recording);
+    let lines = recording.lines();
+    assert_eq!(lines.lines().count(), 4, "{lines}");
+    assert_eq!(thetas(&Recorded::read(&lines)), given);
 }
 
 /// torchdiffeq's polynomial has degree 4, whatever the order of the method.
