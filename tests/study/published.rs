@@ -1,41 +1,15 @@
-//! Solvers of other people, judged from their recorded answers by what they claim: the table of all
-//! of them, a report for each library, and figures of some.
-
-mod defects;
-mod figures;
-mod judged;
-mod reports;
-mod table;
-mod text;
+//! Solvers of other people, by what they claim: the table of what was found of them, beside the
+//! answers of some that are kept.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-use pendula_judge::Verdict;
-use pendula_study::report::snapshots::{Kind, Snapshot};
+use pendula_judge::zoo::recorded::Recorded;
+use pendula_judge::{Verdict, judge_solver};
+use pendula_study::solvers::{JUDGED, Judged, Outcome, covers};
 
-use self::defects::defects;
-use self::figures::DRAWINGS;
-use self::judged::{JUDGED, covers};
-use self::reports::reports;
-use self::table::table;
 use crate::at_root;
-
-/// The snapshots that are made here.
-pub fn snapshots() -> Vec<Snapshot<'static>> {
-    let of =
-        |name, about, content: fn() -> String| Snapshot::new(name, Kind::Judged, about, content);
-    let mut all = vec![
-        of("solvers", "Solvers of other people, judged from their recorded answers", table),
-        of("solver_reports", "What was measured of each solver", reports),
-        of("defects", "Reports on defects in published integrators and solvers", defects),
-    ];
-    all.extend(DRAWINGS.iter().map(|drawing| {
-        Snapshot::new(drawing.name, Kind::Judged, drawing.title, || drawing.html())
-    }));
-    all
-}
 
 /// Catches: a claim that fails and of which nobody has said why; a defect or a sentence that is
 /// said to explain a failure that there is not.
@@ -50,27 +24,70 @@ fn each_failure_is_explained() {
         let needless = |name: &&str| it.documented(name).is_none() && !failing.contains(*name);
         if !failing.iter().all(|name| explains(&name)) || explained.iter().any(needless) {
             let name = &it.entry.recording;
-            let report = &it.report;
-            wrong.push(format!(
-                "{name}: {failing:?} fail, and {explained:?} are explained\n{report}"
-            ));
+            wrong.push(format!("{name}: {failing:?} fail, and {explained:?} are explained"));
         }
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
-/// Catches: a recording of which nothing is said, one that two solvers share.
+/// The solvers whose answers are kept.
+fn kept() -> impl Iterator<Item = &'static Judged> {
+    JUDGED.iter().filter(|it| it.entry.kept.is_some())
+}
+
+/// Catches: answers that nobody judges, and a solver that is said to be kept and is not.
 #[test]
-fn each_recording_is_that_of_a_solver() {
+fn what_is_kept_is_there() {
     let folder = fs::read_dir(at_root("tests/verify/solvers")).expect("a folder");
     let name = |path: PathBuf| Some(path.file_stem()?.to_str()?.to_string());
-    let mut recorded: Vec<_> =
+    let files: BTreeSet<_> =
         folder.filter_map(|entry| name(entry.expect("a file").path())).collect();
-    let judged = JUDGED.iter().filter(|it| it.entry.unjudged.is_none());
-    let mut listed: Vec<_> = judged.map(|it| it.entry.recording.clone()).collect();
-    recorded.sort();
-    listed.sort();
-    assert_eq!(recorded, listed);
+    assert_eq!(files, kept().map(|it| it.entry.recording.clone()).collect());
+}
+
+/// Two numbers of four digits, one of which was written with more.
+fn alike(row: f64, found: f64) -> bool {
+    row == found || (row - found).abs() <= 5e-4 * found.abs() || row.is_nan() && found.is_nan()
+}
+
+/// Catches: a judge that says something else of a published solver than its row does, in a verdict,
+/// a number or a word.
+#[test]
+fn what_is_kept_is_judged_as_its_rows_say() {
+    let mut other = Vec::new();
+    for it in kept() {
+        let name = &it.entry.recording;
+        let answers = fs::read_to_string(at_root(&format!("tests/verify/solvers/{name}.txt")));
+        let answers = answers.expect("the answers that are kept");
+        let report = judge_solver(&Recorded::read(&answers), it.entry.claims.parse().unwrap());
+        for finding in &report.findings {
+            let Some(row) = it.found.finding(finding.name) else {
+                other.push(format!("{name}: no row for {}", finding.name));
+                continue;
+            };
+            let said = match finding.verdict {
+                Verdict::NotMeasured => &finding.why,
+                _ => &finding.measured,
+            };
+            let claimed = finding.claimed.as_deref().unwrap_or_default();
+            let numbers = row.values.len() == finding.values.len()
+                && row.values.iter().zip(&finding.values).all(|(a, b)| alike(*a, *b))
+                && row.bound.is_some() == finding.bound.is_some()
+                && row.bound.zip(finding.bound).is_none_or(|(a, b)| alike(a, b));
+            if (row.claimed, row.verdict, row.unit) != (claimed, finding.verdict, finding.unit)
+                || row.measured != said
+                || !numbers
+            {
+                other.push(format!("{name}: {row:?} was found, and now {finding:?}"));
+            }
+        }
+        if it.found.findings.len() != report.findings.len() || it.found.look_at != report.look_at {
+            other.push(format!("{name}: other rows, or another cause: {:?}", report.look_at));
+        }
+    }
+    let how = "`book/strangers/run --solvers --kept` writes these rows anew from the answers, and \
+               `book/strangers/run --solvers` asks all solvers again";
+    assert!(other.is_empty(), "\n{}\n{how}", other.join("\n"));
 }
 
 /// Catches: a README or a chapter that counts solvers or libraries as they were once.
@@ -80,8 +97,9 @@ fn solvers_are_counted_as_they_are() {
     let libraries = judged().map(|it| &it.library.id).collect::<BTreeSet<_>>().len();
     let solvers = judged().count();
     let languages = judged().map(|it| &it.library.language).collect::<BTreeSet<_>>().len();
-    let with = |verdict| JUDGED.iter().filter(|it| it.verdict() == verdict).count();
-    let (holding, failing, documented) = (with("holds"), with("fails"), with("documented"));
+    let with = |outcome| JUDGED.iter().filter(|it| it.outcome() == outcome).count();
+    let (holding, failing) = (with(Outcome::Holds), with(Outcome::Fails));
+    let documented = with(Outcome::Documented);
     for (path, said) in [
         ("README.md", format!("and {solvers} solvers from {libraries}.")),
         (

@@ -70,7 +70,8 @@ impl File {
     }
 }
 
-/// The kind of the snapshot `name` with this anchor. The hashes once had that of a table.
+/// The kind of the snapshot `name` with this anchor. The hashes once had that of a table, and what
+/// was judged of other people's solvers was once a snapshot.
 fn kind(name: &str, anchor: &str) -> Option<Kind> {
     let recorded = snapshots::RECORDED.iter().any(|(recorded, _)| *recorded == name);
     Some(match anchor {
@@ -79,8 +80,8 @@ fn kind(name: &str, anchor: &str) -> Option<Kind> {
         "table" => Kind::Table,
         "figure" => Kind::Figure,
         "hashes" => Kind::Hashes,
+        "judged" => Kind::Recorded,
         "diff" => Kind::Example,
-        "judged" => Kind::Judged,
         _ => return None,
     })
 }

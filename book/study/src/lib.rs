@@ -8,6 +8,7 @@
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
 //! * [`dynamics`]: periodic orbits and Lyapunov exponents, of `book/curves`.
+//! * [`solvers`]: other people's solvers, and what the judge found of them.
 //! * [`questions`]: what is right in the book's questions.
 //! * [`charts`]: series to SVG, in a crate of their own.
 //! * [`report`]: rows and claims as tables and figures.
@@ -21,6 +22,7 @@ pub mod experiments;
 pub mod listing;
 pub mod questions;
 pub mod report;
+pub mod solvers;
 pub mod theory;
 
 pub use pendula_charts as charts;

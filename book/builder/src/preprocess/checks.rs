@@ -54,11 +54,19 @@ fn included(text: &str, folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
+/// Whether a test has made this snapshot, and nobody has accepted it.
+fn not_accepted(file: &Path) -> bool {
+    file.with_extension("snap.new").exists()
+}
+
 /// Checks the text that mdBook will include; it is never empty. By numbers of lines, which move,
 /// nothing is.
 fn has_text(folder: &Path, path: &str, anchor: &str) -> Result<()> {
     let file = folder.join(path);
-    let text = files::read_to_string(&file).with_context(|| format!("there is no file {path}"))?;
+    let text = files::read_to_string(&file).with_context(|| match not_accepted(&file) {
+        true => format!("{path} is made and not accepted: review it, `cargo insta review`"),
+        false => format!("there is no file {path}"),
+    })?;
     let included = match anchor {
         "" => text,
         _ => anchored(&text, anchor)

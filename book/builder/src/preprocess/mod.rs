@@ -28,6 +28,7 @@ pub mod listing;
 pub mod markdown;
 pub mod questions;
 pub mod sources;
+pub mod strangers;
 pub mod typeset;
 pub mod work_precision;
 
@@ -76,6 +77,12 @@ impl Preprocessor for Pendula {
         let included = checks::includes(&context.root.join(&context.config.book.src), &book)?;
         self.progress.stage("comparing the snapshots", 1);
         checks::snapshots(&included, self.ledger.as_ref())?;
+
+        let reports = context.root.join("strangers/reports");
+        each(&mut book, |chapter| {
+            chapter.content = strangers::insert(&chapter.content, &reports)?;
+            Ok(())
+        })?;
 
         // tests/ is beside book/.
         let tests = sources::Tests::read(&context.root.join("..").join("tests"))?;

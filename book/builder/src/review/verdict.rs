@@ -1,6 +1,5 @@
 //! The verdict of a review, in sentences: the worst that happened first, good news last.
 
-use pendula_study::report::snapshots::Kind;
 
 use super::cells::Value;
 use super::groups::{Group, Item};
@@ -51,10 +50,6 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
     let visible: Vec<String> = visible.map(|figure| quoted(&figure.name)).collect();
     said.extend(several(Moved, "figure", "moved visibly", &visible, 6));
     said.extend(several(Moved, "result", "with other bits", &review.bits, 8));
-    let judged = review.snapshots.iter().filter(|change| change.kind == Kind::Judged);
-    let judged = judged.filter(|change| change.is_in == [true, true]);
-    let judged: Vec<String> = judged.map(|change| quoted(&change.name)).collect();
-    said.extend(several(Moved, "judgement", "of published solvers moved", &judged, 8));
     for (version, which) in [(0, "new"), (1, "gone")] {
         let names = review.snapshots.iter().filter(|change| !change.is_in[version]);
         let names: Vec<String> = names.map(|change| quoted(&change.name)).collect();

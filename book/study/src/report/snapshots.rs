@@ -26,9 +26,6 @@ pub enum Kind {
     Recorded,
     /// A difference of tables, shown to a reader as an example.
     Example,
-    /// What a test judges of other people's solvers, from their recorded answers: the study and the
-    /// book do without the judge and these answers.
-    Judged,
 }
 
 impl Kind {
@@ -39,13 +36,12 @@ impl Kind {
             Self::Figure => "figure",
             Self::Hashes => "hashes",
             Self::Example => "diff",
-            Self::Judged => "judged",
         }
     }
 
-    /// Whether the study makes it, and not a command or a test of its own.
+    /// Whether the study makes it, and not a command of its own.
     pub const fn is_of_the_study(self) -> bool {
-        !matches!(self, Self::Recorded | Self::Hashes | Self::Judged)
+        !matches!(self, Self::Recorded | Self::Hashes)
     }
 
     /// The stem of the file in `snapshots/` that holds the snapshot `name`. It begins with a digit,
@@ -56,8 +52,7 @@ impl Kind {
 }
 
 /// The snapshots that no test compares, with the commands that write them.
-pub const RECORDED: [(&str, &str); 8] = [
-    ("what_moves_when", "book/study/what_moves_when/run"),
+pub const RECORDED: [(&str, &str); 7] = [
     ("strangers", "book/strangers/run"),
     ("strangers_all", "book/strangers/run"),
     ("strangers_defects", "book/strangers/run"),

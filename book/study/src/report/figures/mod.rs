@@ -6,6 +6,7 @@ mod evidence;
 mod geometry;
 mod opening;
 mod paper;
+mod solvers;
 mod tolerance;
 
 use std::collections::BTreeMap;
@@ -69,7 +70,7 @@ impl Drawing {
 }
 
 /// The drawing over its caption, as a `<figure>` element without a blank line.
-pub fn captioned(svg: &str, caption: &str) -> String {
+fn captioned(svg: &str, caption: &str) -> String {
     // The Markdown processor makes apostrophes typographic, but not in HTML.
     let caption = wrapped(&caption.replace('\'', "’"));
     format!("<figure>\n{svg}<figcaption>{caption}</figcaption>\n</figure>\n")
@@ -122,6 +123,11 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "tolerance_error", draw: tolerance::error },
     Drawing { name: "tolerance_work", draw: tolerance::work },
     Drawing { name: "tolerance_outputs", draw: tolerance::outputs },
+    Drawing { name: "solver_ends", draw: solvers::ends },
+    Drawing { name: "solver_outputs", draw: solvers::outputs },
+    Drawing { name: "solver_again", draw: solvers::again },
+    Drawing { name: "solver_back", draw: solvers::back },
+    Drawing { name: "solver_clock", draw: solvers::clock },
     Drawing { name: "poincare", draw: beyond::poincare },
     Drawing { name: "separation", draw: beyond::separation },
     Drawing { name: "kapitza", draw: beyond::kapitza },
