@@ -12,7 +12,13 @@ use crate::common::{in_seconds, on};
 
 /// The entry of the file for a method of the library.
 fn known(method: &dyn AnyMethod) -> &'static Known {
-    known_answers::method(method.info().name).expect("the file has every method of the library")
+    let name = method.info().name;
+    known_answers::method(name).unwrap_or_else(|| {
+        panic!(
+            "the known answers have no {name}: give it an entry in a file of \
+             book/known-answers/tables, and run `book/known-answers/run generate`"
+        )
+    })
 }
 
 /// Asserts that the states of `run`, which takes the steps of an answer, are those of the file: of
@@ -29,8 +35,12 @@ fn assert_known(method: &dyn AnyMethod, driven: bool, run: impl Fn(&Answer) -> P
         let Answer { scene, steps, .. } = answer;
         assert!(
             off <= 1.0,
-            "{name}, {}, {steps} steps: {state:?} is {off} tolerances off",
-            scene.name
+            "{name}, {}, {steps} steps: {state:?} is {off} tolerances off. (The known answers call \
+             {name} a method of order {}, also named {:?}, and book/known-answers/tables says whose \
+             it is; if that is not yours, give yours another name.)",
+            scene.name,
+            known(method).order,
+            known(method).also
         );
         compared += 1;
     }

@@ -126,7 +126,13 @@ fn the_documentation_lists_what_the_entries_say() {
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         std::fs::write(&path, table()).unwrap();
     }
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), table(), "{} is stale", path.display());
+    let (written, now) = (std::fs::read_to_string(&path).unwrap(), table());
+    let stale: Vec<&str> = now.lines().filter(|line| !written.contains(line)).collect();
+    assert!(
+        written == now,
+        "{} is stale: `INSTA_UPDATE=always cargo test registry` writes it. Not in it: {stale:#?}",
+        path.display()
+    );
 }
 
 const STARTS: [Phase; 3] = [

@@ -1,6 +1,5 @@
 //! The verdict of a review, in sentences: the worst that happened first, good news last.
 
-
 use super::cells::Value;
 use super::groups::{Group, Item};
 use super::words::change_text;
@@ -31,11 +30,21 @@ pub fn sentences(review: &Review) -> Vec<Sentence> {
         (Alarm, format!("`{name}` cannot be computed any more, and is left out: {why}"))
     }));
     if review.is_empty() {
-        let nothing = format!("Nothing moved: all {} snapshots are the same", review.count);
+        // What is compared as its file stands may be stale.
+        let computed = counted(review.count.saturating_sub(review.recorded.len()), "snapshot");
+        let nothing = match review.recorded.is_empty() {
+            true => format!("Nothing moved: all {computed} are the same"),
+            false => format!("Nothing moved of what is computed here: {computed} are the same"),
+        };
         said.extend(review.warnings.iter().map(alarm));
         said.extend(review.failed.is_empty().then_some((Calm, nothing)));
+        let hashes = "The hashes of the bits are not computed here: `cargo test hashes` computes \
+                      them, and then they are compared";
+        let is_there = review.recorded.iter().any(|name| name == "bits");
+        said.extend(is_there.then(|| (Moved, hashes.to_string())));
         return said;
     }
+    said.extend(several(Moved, "method", "new", &new_methods(review), 4));
     said.extend(orders(review));
     let slopes = several(Alarm, "method", "with slopes that leave the order", &slopes(review), 4);
     said.push(slopes.unwrap_or((Calm, "No slope left the window around its order".to_string())));
@@ -91,10 +100,23 @@ fn both(item: &Item) -> String {
     format!("({} → {})", text(&item.shown.old), text(&item.shown.new))
 }
 
+/// The methods that were not there before.
+fn new_methods(review: &Review) -> Vec<String> {
+    let mut names: Vec<String> = items(review)
+        .filter(|(.., item)| item.shown.snapshot == "methods" && item.shown.old.is_none())
+        .map(|(method, ..)| method.to_string())
+        .collect();
+    names.dedup();
+    names
+}
+
 /// Orders that were lost, and those that are there again.
 fn orders(review: &Review) -> Vec<Sentence> {
     let (mut lost, mut found) = (Vec::new(), Vec::new());
-    let measured = |item: &Item| item.is_order() && item.shown.snapshot != "orders";
+    // A method that is new has lost nothing, and found nothing again.
+    let measured = |item: &Item| {
+        item.is_order() && item.shown.snapshot != "orders" && item.shown.old.is_some()
+    };
     for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
         let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
         let claimed = group.claimed.map(f64::from).or_else(|| number(&item.shown.old));
@@ -139,7 +161,7 @@ fn properties(review: &Review) -> Vec<Sentence> {
         let is_energy = column.starts_with("energy");
         is_energy.then(|| (Alarm, format!("{method}: its energy {}", both(item))))
     };
-    items(review).filter_map(say).collect()
+    items(review).filter(|(.., item)| item.shown.old.is_some()).filter_map(say).collect()
 }
 
 /// Cells that no longer are what the paper prints, and those that are again.

@@ -143,10 +143,46 @@ fn phase_plane(theta: (f64, f64), omega: (f64, f64)) -> Chart {
     )
 }
 
-/// The style of a method, the same in every figure.
+/// Methods in the order of their styles: by name, so that a method which comes into the library
+/// repaints no other.
+const STYLED: [&str; 28] = [
+    "forward-euler",
+    "symplectic-euler",
+    "rk4",
+    "stormer-verlet",
+    "explicit-midpoint",
+    "heun",
+    "position-verlet",
+    "ruth-3",
+    "forest-ruth",
+    "suzuki-4",
+    "blanes-moan-4",
+    "yoshida-6",
+    "blanes-moan-6",
+    "yoshida-8",
+    "kahan-li-8",
+    "dormand-prince",
+    "dop853",
+    "implicit-midpoint",
+    "trapezoidal",
+    "gauss-4",
+    "gauss-6",
+    "gauss-16",
+    "discrete-gradient",
+    "cieslinski-ratkiewicz",
+    "deuflhard",
+    "processed-4",
+    "processed-6",
+    "taylor-24",
+];
+
+/// The style of a method, the same in every figure. Those that are not in [`STYLED`] come after it,
+/// in the order of the library's list.
 pub(super) fn style(method: MethodRef) -> Style {
     let name = method.info().name;
-    let index = METHODS.iter().position(|other| other.info().name == name);
+    let place = |name: &str| STYLED.iter().position(|styled| *styled == name);
+    let others = || METHODS.iter().map(|it| it.info().name).filter(|name| place(name).is_none());
+    let index = place(name).or_else(|| Some(STYLED.len() + others().position(|it| it == name)?));
     Style::numbered(index.unwrap_or(0))
 }
 
