@@ -36,8 +36,8 @@ fn assert_known(method: &dyn AnyMethod, driven: bool, run: impl Fn(&Answer) -> P
         assert!(
             off <= 1.0,
             "{name}, {}, {steps} steps: {state:?} is {off} tolerances off. (The known answers call \
-             {name} a method of order {}, also named {:?}, and book/known-answers/tables says whose \
-             it is; if that is not yours, give yours another name.)",
+             {name} a method of order {}, also named {:?}, and book/known-answers/tables says \
+             whose it is; if that is not yours, give yours another name.)",
             scene.name,
             known(method).order,
             known(method).also

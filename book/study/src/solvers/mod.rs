@@ -2,8 +2,8 @@
 //!
 //! `book/strangers/solvers.toml` has the claims, word by word, and what explains a failure;
 //! `book/strangers/solvers.tsv` has what was found, a row for each property, as
-//! `book/strangers/run --solvers` wrote it. The chapter "What published solvers do" is made of both:
-//! the [`table`] of all, the [`page`] by library, and figures.
+//! `book/strangers/run --solvers` wrote it. The chapter "What published solvers do" is made of
+//! both: the [`table`] of all, the [`page`] by library, and figures.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
@@ -142,8 +142,8 @@ pub struct Found {
     pub usual: Option<[f64; 2]>,
     /// What to look at to mend it.
     pub look_at: Vec<&'static str>,
-    /// Tolerance, error (rad) and evaluations, if somebody counts them, of each run; empty where the
-    /// answers are not kept.
+    /// Tolerance, error (rad) and evaluations, if somebody counts them, of each run; empty where
+    /// the answers are not kept.
     pub at_tolerances: Vec<Vec<f64>>,
     /// Time (s), largest and smallest error (rad) of each twentieth of a run.
     pub along_a_run: Vec<Vec<f64>>,
