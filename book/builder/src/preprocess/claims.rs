@@ -102,6 +102,7 @@ impl Row {
         let (mut said, mut below, mut reason) = (String::new(), Vec::new(), "");
         for (value, (label, style)) in values.iter().zip(&columns[1..]) {
             match *label {
+                PLACE if value.is_empty() => {}
                 PLACE => below.push(html(value)),
                 "verdict" => reason = value,
                 _ => {
@@ -217,7 +218,8 @@ mod tests {
     }
 
     /// Catches: a row without what filters and links need; Markdown left in a cell, a bar that is
-    /// still escaped, the verdict said twice, a claim quoted nowhere that says it is.
+    /// still escaped, the verdict said twice, a claim quoted nowhere that says it is; a place that
+    /// is none.
     #[test]
     fn a_row_has_its_claim_its_verdict_and_its_quotes() {
         let set = set(&format!("Before.\n\n{TABLE}\nAfter.\n")).unwrap();
@@ -231,6 +233,7 @@ mod tests {
         assert!(set.starts_with("Before.") && set.ends_with("\nAfter.\n"), "{set}");
         assert!(set.contains("data-part=\"F\"") && set.contains("data-verdict=\"not-stated\""));
         assert_eq!(set.matches("quoted in").count(), 1);
+        assert!(set.contains("<span class=\"gist\">ours</span> <small></small>"), "{set}");
     }
 
     /// Catches: what we added counted as the paper's; a claim counted in the other column or under

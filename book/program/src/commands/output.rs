@@ -181,17 +181,20 @@ pub enum TableFormat {
     /// Tables to read
     #[default]
     Text,
-    /// An array with an object for each cell
+    /// An array of objects
     Json,
-    /// A line for each cell
+    /// A line for each of these objects
     Csv,
 }
 
-/// Objects as CSV: their fields of these names. No text in them has a comma or a quotation mark.
+/// Objects as CSV: their fields of these names. A text that would split a line is quoted (RFC 4180).
 pub fn csv(header: &str, objects: &[Value]) -> String {
     let line = |object: &Value| {
         let fields = header.split(',').map(|name| match &object[name] {
             Value::Null => String::new(),
+            Value::String(text) if text.contains([',', '"', '\n', '\r']) => {
+                format!("\"{}\"", text.replace('"', "\"\""))
+            }
             Value::String(text) => text.clone(),
             other => other.to_string(),
         });

@@ -177,24 +177,31 @@ fn a_closed_pipe_ends_it_quietly() {
     assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
 }
 
-/// Catches: a cell without its id, value or verdict, and formats that disagree.
+/// Catches: a cell without its id, value, verdict or definition, and formats that disagree; a
+/// definition whose comma splits a line of CSV; a table to read that does not say what is measured.
 #[test]
 fn tables_have_every_cell_in_every_format() {
     let cells = json(&["paper", "tables", "--format", "json"]);
     let cells = cells.as_array().unwrap();
     let csv = printed(&["paper", "tables", "--format", "csv"]);
-    assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict"));
+    assert_eq!(csv.lines().next(), Some("id,stated,measured,verdict,definition"));
     assert_eq!(csv.lines().count(), cells.len() + 1);
     for (cell, line) in cells.iter().zip(csv.lines().skip(1)) {
-        let fields: Vec<&str> = line.split(',').collect();
-        assert_eq!(fields.len(), 4, "{line}");
+        let fields: Vec<&str> = line.splitn(5, ',').collect();
         assert_eq!(cell["id"], fields[0]);
         assert_eq!(cell["verdict"], fields[3]);
+        // Of the definitions some have commas, and none a quotation mark.
+        let definition = fields[4].trim_matches('"');
+        assert_eq!(cell["definition"], definition);
+        assert_eq!(fields[4] != definition, definition.contains(','), "{line}");
     }
     let cell = cells.iter().find(|cell| cell["id"] == "T4.rk4.0.01").unwrap();
     assert_eq!(cell["stated"], 2.34e-7);
     let text = printed(&["paper", "tables", "--table", "4"]);
-    assert!(text.starts_with("Table 4\n") && text.contains("2.33759 × 10⁻⁷"), "{text}");
+    assert!(
+        text.starts_with("Table 4\nmax |Hₙ − H₀|") && text.contains("2.33759 × 10⁻⁷"),
+        "{text}"
+    );
 }
 
 /// The verdict is judged here too: it does not matter what the command prints it from.

@@ -55,7 +55,9 @@ simulate --system double-pendulum --theta1 20 --theta2 12 --mass2 1e6 --gravity 
     --duration 9.76 --every 300 --format json
 simulate --method dop853 --theta0 3 --duration 100 --tolerance 1e-10 --max-steps 5 --format json
 sweep --method forward-euler --theta0 0:1:5 --dt 1e200 --duration 1e201 --format json
-sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20 --format json";
+sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20 --format json
+paper claims P6.3.norm T6.se.0.1
+paper tables --table 7";
 
 /// Catches: a format that a command does not pass on, rows under other names, in another order or
 /// with other digits; a parameter of a system ignored, or taken for another; upper and lower rod
@@ -63,7 +65,8 @@ sweep --method gauss-16 --theta0 1:2:3 --dt 5 --duration 20 --format json";
 /// time than was asked for; an end of the rows left out; a motion with another name, turns counted
 /// in the wrong direction, a period where nothing repeats, the parameter k² for the modulus; a
 /// summary of another run; rows before a failure that are lost, an array that it leaves open, a
-/// step too long for an iteration reported as an overflow.
+/// step too long for an iteration reported as an overflow; a claim said to be reproduced with a
+/// definition, without the definition.
 #[test]
 fn answers_are_as_they_were() {
     let of = |line| {

@@ -160,9 +160,15 @@ pub fn predictions(ledger: &Ledger) -> Table {
 
 /// The claims that are cells of tables, and what the chapters quote beside them.
 pub fn cells(ledger: &Ledger) -> Table {
-    let mut table = Table::new(["Claim", "stated", "measured", "verdict"]).with_remarks(1);
+    let header = ["Claim", "stated", "measured", "verdict", "where"];
+    let mut table = Table::new(header).with_remarks(2);
     for claim in ledger.claims().iter().filter(|claim| !is_sentence(claim)) {
-        table.push([name(claim), claim.stated_text(), claim.measured_text(), judgement(claim)]);
+        let place = match claim.definition {
+            "" => claim.place.to_string(),
+            definition => format!("{}: {definition}", claim.place),
+        };
+        let (stated, measured) = (claim.stated_text(), claim.measured_text());
+        table.push([name(claim), stated, measured, judgement(claim), place]);
     }
     table
 }

@@ -50,14 +50,15 @@ pub fn tables(arguments: &TablesArguments, out: &mut dyn Write) -> Result<(), Fa
                 let gap = if index == 0 { "" } else { "\n" };
                 let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
                 let title = colour::output(colour::HEAD, format!("Table {number}"));
+                let definition = ledger.table(number).next().map_or("", |claim| claim.definition);
                 let (head, rows) = text.split_once('\n').unwrap_or((&text, ""));
                 let head = colour::output(colour::HEAD, head);
-                write!(out, "{gap}{title}\n{head}\n{rows}")?;
+                write!(out, "{gap}{title}\n{definition}\n\n{head}\n{rows}")?;
             }
         }
         TableFormat::Json => writeln!(out, "{:#}", json!(cells()))?,
         TableFormat::Csv => {
-            out.write_all(csv("id,stated,measured,verdict", &cells()).as_bytes())?;
+            out.write_all(csv("id,stated,measured,verdict,definition", &cells()).as_bytes())?;
         }
     }
     Ok(())
@@ -70,6 +71,7 @@ fn cell(claim: &Claim) -> Value {
         "stated": stated(claim),
         "measured": measured(claim),
         "verdict": claim.judged().to_string(),
+        "definition": claim.definition,
     })
 }
 
@@ -93,7 +95,7 @@ fn measured(claim: &Claim) -> Value {
 pub struct ClaimsArguments {
     /// How the claims are printed
     #[arg(long, value_enum, default_value_t)]
-    format: LedgerFormat,
+    format: TableFormat,
     #[command(flatten)]
     filter: Filter,
 }
@@ -236,16 +238,6 @@ fn nearest<'a>(id: &str, ids: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     ids.into_iter().map(|(.., id)| id).take(5).collect()
 }
 
-/// How the claims are printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum LedgerFormat {
-    /// A table to read
-    #[default]
-    Text,
-    /// An array with an object for each claim
-    Json,
-}
-
 /// Runs the study and writes the ledger.
 ///
 /// # Errors
@@ -255,11 +247,14 @@ pub fn claims(arguments: &ClaimsArguments, out: &mut dyn Write) -> Result<(), Fa
     report(&Ledger::new(&Study::of_the_paper()), &arguments.filter, arguments.format, out)
 }
 
+/// The columns of the ledger as CSV: all that [`object`] has.
+const COLUMNS: &str = "id,kind,place,gist,stated,measured,definition,verdict,recorded,because";
+
 /// Writes the claims of `ledger` that `filter` asks for.
 pub fn report(
     ledger: &Ledger,
     filter: &Filter,
-    format: LedgerFormat,
+    format: TableFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     // Those of the paper, and the questions that it leaves open; the ledger also contains what the
@@ -268,12 +263,11 @@ pub fn report(
         ledger.claims().iter().filter(|claim| claim.verdict != Verdict::NotStated).collect();
     filter.check(&stated)?;
     let claims: Vec<&Claim> = stated.into_iter().filter(|claim| filter.accepts(claim)).collect();
+    let objects = || claims.iter().map(|claim| object(claim)).collect::<Vec<Value>>();
     match format {
-        LedgerFormat::Text => write_text(&claims, out)?,
-        LedgerFormat::Json => {
-            let claims: Vec<Value> = claims.iter().map(|claim| object(claim)).collect();
-            writeln!(out, "{:#}", json!(claims))?;
-        }
+        TableFormat::Text => write_text(&claims, out)?,
+        TableFormat::Json => writeln!(out, "{:#}", json!(objects()))?,
+        TableFormat::Csv => out.write_all(csv(COLUMNS, &objects()).as_bytes())?,
     }
     out.flush()?;
     let upheld = |claim: &Claim| claim.judged() == claim.verdict;
@@ -285,7 +279,8 @@ pub fn report(
     if all_upheld { Ok(()) } else { Err(Failure::No) }
 }
 
-/// Two lines a claim, and at the end the number of the paper's claims with each verdict.
+/// Two or three lines a claim: what is claimed, what came of it, and what exactly was measured,
+/// where the paper leaves that open. At the end the number of the paper's claims with each verdict.
 fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
     let mut counts: Vec<(Verdict, u32)> = Vec::new();
     let (mut claims, mut readings) = (0, 0);
@@ -296,6 +291,9 @@ fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{id} {} ({})", claim.gist, claim.place)?;
         write!(out, "{:<16} stated {stated}, measured {measured}: ", "")?;
         writeln!(out, "{}{because}{}", coloured(claim.judged()), claim.because)?;
+        if !claim.definition.is_empty() {
+            writeln!(out, "{:<16} definition: {}", "", claim.definition)?;
+        }
         if !claim.is_of_the_paper() {
             readings += 1;
             continue;
@@ -332,7 +330,6 @@ fn object(claim: &Claim) -> Value {
     object["gist"] = json!(claim.gist);
     object["recorded"] = json!(claim.verdict.to_string());
     object["place"] = json!(claim.place);
-    object["definition"] = json!(claim.definition);
     object["because"] = json!(claim.because);
     object
 }
