@@ -26,12 +26,16 @@ fn the_headline_table_is_table_5() {
     }
 }
 
-/// Catches: a number of claims that was not updated with the ledger.
+/// Catches: a number of claims that was not updated with the ledger, in the README or in the book.
 #[test]
 fn the_number_of_claims_is_that_of_the_ledger() {
     let count = LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper()).count();
-    let says = format!("{count} claims of the paper");
-    assert!(read("README.md").contains(&says), "the README does not say {says}");
+    for (page, says) in [
+        ("README.md", format!("{count} claims of the paper")),
+        ("book/src/introduction.md", format!("judges {count} claims")),
+    ] {
+        assert!(read(page).contains(&says), "{page} does not say {says}");
+    }
 }
 
 /// Catches: a release whose citation names the one before.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use pendula_study::claims::{Claim, ClaimKind};
+use pendula_study::report::table::Table;
 
 use crate::LEDGER;
 
@@ -111,4 +112,67 @@ fn every_number_of_a_sentence_is_the_papers() {
     for claim in LEDGER.claims().iter().filter(|claim| has_a_number(claim)) {
         assert!(read.contains(claim.id.as_str()), "{} is in no sentence of paper.csv", claim.id);
     }
+}
+
+/// The tables of `sentences.md`: what is judged, what is not, and what claims nothing.
+fn sentences() -> [Table; 3] {
+    let parts = include_str!("../data/sentences.md").split("\n# ").skip(1);
+    let tables = parts.map(|part| {
+        let lines = part.lines().filter(|line| line.starts_with('|'));
+        let rows: String = lines.map(|line| format!("{line}\n")).collect();
+        Table::from_markdown(&rows).expect("even rows")
+    });
+    tables.collect::<Vec<_>>().try_into().expect("three tables")
+}
+
+/// The claims of the paper that an id names, or `T4.*`.
+fn named(id: &str) -> Vec<&'static Claim> {
+    let claims = LEDGER.claims().iter().filter(|claim| claim.is_of_the_paper());
+    let is_named = |claim: &&Claim| match id.strip_suffix('*') {
+        Some(start) => claim.id.starts_with(start),
+        None => claim.id == id,
+    };
+    claims.filter(is_named).collect()
+}
+
+/// Catches: a claim of the ledger that no sentence of the paper makes; a sentence that is judged by
+/// a claim which there is not; one that is judged in part, without the rest; a page that counts
+/// other sentences.
+#[test]
+fn every_sentence_is_judged_or_said_not_to_be() {
+    let [judged, unjudged, nothing] = sentences();
+    let mut made = BTreeSet::new();
+    let mut in_part = Vec::new();
+    for row in judged.rows() {
+        let [place, _, ids] = &row[..] else { panic!("{row:?}") };
+        let whole = ids.trim_end_matches("in part");
+        if whole != ids {
+            in_part.push(format!("{place}, rest"));
+        }
+        for id in whole.split_whitespace() {
+            let claims = named(id);
+            assert!(!claims.is_empty(), "{row:?}: {id} is not in the ledger");
+            made.extend(claims.into_iter().map(|claim| claim.id.as_str()));
+        }
+    }
+    for claim in LEDGER.claims().iter().filter(|claim| claim.kind() == ClaimKind::Sentence) {
+        assert!(made.contains(claim.id.as_str()), "no sentence makes {}", claim.id);
+    }
+
+    let places = unjudged.rows().iter().map(|row| row[0].clone());
+    let (rests, whole): (Vec<String>, Vec<String>) =
+        places.partition(|place| place.ends_with(", rest"));
+    assert_eq!(rests, in_part, "the rests of sentences that are judged in part");
+    let claiming = judged.rows().len() + whole.len();
+    let all = claiming + nothing.rows().len();
+    let page = include_str!("../../book/src/appendix-claims.md");
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let says = format!(
+        "{claiming} of the paper's {all} sentences claim something. The rows judge {} of them, {} \
+         of these in part; they leave out {} sentences",
+        judged.rows().len(),
+        rests.len(),
+        whole.len()
+    );
+    assert!(page.contains(&says), "the page does not say: {says}");
 }

@@ -2,12 +2,14 @@
 //! verdict and its part of the paper, for the style sheet and the filters of the page, and links
 //! back to where the chapters quote it.
 //!
-//! `{{verdicts}}` on that page becomes the table of how many claims got which verdict.
+//! `{{verdicts}}` on that page becomes the table of the verdicts: what each means, and how many
+//! claims got it.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
+use pendula_study::claims::Verdict;
 use pendula_study::report::table::Table;
 use pulldown_cmark::Parser;
 use pulldown_cmark::html::push_html;
@@ -142,8 +144,8 @@ fn slug(verdict: &str) -> String {
     verdict.replace(' ', "-")
 }
 
-/// How many cells and sentences of the paper have each verdict, the most frequent first, and apart
-/// from them what is not in the paper.
+/// What each verdict means, and how many cells and sentences of the paper have it, the most
+/// frequent first; apart from them what is not in the paper.
 fn counts(rows: &[Row]) -> String {
     let mut verdicts: Vec<(usize, &str)> = Vec::new();
     for row in rows.iter().filter(|row| PRINTED.contains(&row.kind.as_str())) {
@@ -153,7 +155,11 @@ fn counts(rows: &[Row]) -> String {
         }
     }
     verdicts.sort_by_key(|(count, _)| Reverse(*count));
-    let judged = verdicts.iter().map(|(_, name)| counted(rows, &tag(name), Some(name), PRINTED));
+    let judged = verdicts.iter().map(|(_, name)| {
+        let meaning = Verdict::named(name).map_or("", Verdict::meaning);
+        let head = format!("{}<div class=\"meaning\">{meaning}</div>", tag(name));
+        counted(rows, &head, Some(name), PRINTED)
+    });
     format!(
         "<div class=\"table-wrapper\"><table class=\"verdicts\">\n<thead><tr><th>Verdict</th>\
          <th>cells</th><th>sentences</th><th>claims</th></tr></thead>\n<tbody>\n{}</tbody>\n\
@@ -237,7 +243,8 @@ mod tests {
     }
 
     /// Catches: what we added counted as the paper's; a claim counted in the other column or under
-    /// another verdict; a verdict left out; a count that leads to other claims.
+    /// another verdict; a verdict left out, or explained as another; a count that leads to other
+    /// claims.
     #[test]
     fn verdicts_are_counted_by_kind() {
         let set = set(&format!("{{{{verdicts}}}}\n\n{TABLE}")).unwrap();
@@ -250,6 +257,9 @@ mod tests {
         assert!(set.contains(&wrong), "{set}");
         let added = cell(1, "X.c", "part=finding") + "<td>0</td><td>1</td>";
         assert!(set.contains(&format!("added by us</th>{added}")), "{set}");
+        let wrong =
+            format!("{}<div class=\"meaning\">{}</div>", tag("wrong"), Verdict::Wrong.meaning());
+        assert!(set.contains(&wrong), "{set}");
         let rows = set.split("<tfoot>").next().unwrap();
         assert!(rows.contains("reproduced") && !rows.contains("not stated"), "{set}");
     }

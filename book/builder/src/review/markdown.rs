@@ -3,6 +3,7 @@
 
 use anyhow::Result;
 use pendula_study::charts::wrapped;
+use pendula_study::claims::Verdict;
 
 use super::claims::Claim;
 use super::groups::{Group, Item};
@@ -212,6 +213,16 @@ impl Document {
             let values = prose(&format!("stated {stated}, measured {measured}. {remark}"));
             format!("{} {}: {verdict}; {}", code(&[id]), prose(gist), values.trim_end())
         }));
+        let turned = |name: &str| claims.iter().any(|turn| turn.flips() && turn.new == name);
+        let meanings: Vec<String> = Verdict::ALL
+            .into_iter()
+            .filter(|verdict| turned(&verdict.to_string()))
+            .map(|verdict| prose(&format!("{verdict}: {}.", verdict.meaning())))
+            .collect();
+        if !meanings.is_empty() {
+            self.paragraph("What these verdicts mean:");
+            self.list(meanings);
+        }
     }
 
     fn figures(&mut self, figures: &[Figure]) {

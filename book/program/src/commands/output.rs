@@ -187,7 +187,8 @@ pub enum TableFormat {
     Csv,
 }
 
-/// Objects as CSV: their fields of these names. A text that would split a line is quoted (RFC 4180).
+/// Objects as CSV: their fields of these names. A text that would split a line is quoted, as RFC
+/// 4180 has it.
 pub fn csv(header: &str, objects: &[Value]) -> String {
     let line = |object: &Value| {
         let fields = header.split(',').map(|name| match &object[name] {

@@ -68,8 +68,8 @@ fn table_2(study: &Study, claims: &mut Vec<Claim>) {
             text(id("sympl"), format!("{title} symplectic"), yes_or_no),
             number(
                 id("evals"),
-                format!("force evaluations a step of {title}"),
-                row.evaluations,
+                format!("force evaluations of one step of {title}"),
+                row.evaluations_alone,
                 Fixed(0),
             ),
             text(id("behav"), format!("energy of {title} over 1000 s"), row.energy),

@@ -17,8 +17,10 @@ pub struct Row {
     pub ladder: Ladder,
     /// det J − 1 of one step at θ = 1 rad, ω = 0.5 rad/s: how much the area grows.
     pub area_defect: f64,
-    /// Force evaluations a step, counted.
+    /// Force evaluations a step of a run, counted.
     pub evaluations: f64,
+    /// Those of one step by itself, with nothing known of the step before.
+    pub evaluations_alone: f64,
     /// What the energy does over the 1000 s of Table 5.
     pub energy: EnergyBehaviour,
 }
@@ -76,6 +78,7 @@ pub fn run(long_run: &[long_run::Row]) -> Vec<Row> {
                 area_step(run.method),
             ),
             evaluations: evaluations(run.method),
+            evaluations_alone: counted(run.method, 1),
             energy: energy_behaviour(run),
         })
         .collect()
@@ -92,11 +95,13 @@ fn area_step(method: MethodRef) -> f64 {
 /// Evaluations a step: the difference between a run of 1001 steps and one of a single step, so
 /// that evaluations before the first step do not count.
 fn evaluations(method: MethodRef) -> f64 {
-    let count = |steps| {
-        let grid = Grid::new(0.01, steps).expect("a positive step");
-        super::evaluations(method, Phase::at_rest(1.0), &grid)
-    };
-    (count(1001) - count(1)) as f64 / 1000.0
+    (counted(method, 1001) - counted(method, 1)) / 1000.0
+}
+
+/// Evaluations of a run of so many steps.
+fn counted(method: MethodRef, steps: u64) -> f64 {
+    let grid = Grid::new(0.01, steps).expect("a positive step");
+    super::evaluations(method, Phase::at_rest(1.0), &grid) as f64
 }
 
 /// A bound on the rounding error of the energy in the 10⁵ steps of the long run (J): each rounds

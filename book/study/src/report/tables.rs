@@ -35,7 +35,7 @@ fn columns(number: u32) -> Option<Vec<(String, String)>> {
         2 => of(&[
             ("order", "Order"),
             ("sympl", "Symplectic"),
-            ("evals", "Evaluations a step"),
+            ("evals", "Evaluations in one step"),
             ("behav", "Energy over 1000 s"),
         ]),
         4 | 6 => Some(STEPS.map(|step| (step.to_string(), format!("Δt = {step} s"))).to_vec()),

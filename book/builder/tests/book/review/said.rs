@@ -7,6 +7,7 @@ use pendula_book::review::markdown::Document;
 use pendula_book::review::verdict::{Weight, sentences};
 use pendula_book::review::{Review, drawings, render};
 use pendula_book::versions::{Content, Version};
+use pendula_study::claims::Verdict;
 use pendula_study::report::snapshots::Kind;
 
 use super::{REVIEWED, between, changed, review};
@@ -231,7 +232,7 @@ fn a_quote_stands_where_it_says() {
 }
 
 /// Catches: a claim that turns unseen, and one whose reason alone was changed taken for one that
-/// turned.
+/// turned; a verdict to which none turned explained, or one to which one did not.
 #[test]
 fn claims_that_turn_are_told_from_new_reasons() {
     let review = review(&[
@@ -244,6 +245,9 @@ fn claims_that_turn_are_told_from_new_reasons() {
     ]);
     let turns: Vec<_> = review.claims.iter().map(|t| (t.claim.id.as_str(), t.flips())).collect();
     assert_eq!(turns, [("P1.lines200", true), ("T1.g", false)]);
+    let text = render::text(&Document::new(&review).unwrap());
+    let meant = |verdict: Verdict| text.contains(&format!("{verdict}: {}", verdict.meaning()));
+    assert_eq!([Verdict::Wrong, Verdict::Reproduced].map(meant), [true, false], "{text}");
 }
 
 /// Catches: a figure that moved by less than one can see shown among those that did, and a figure

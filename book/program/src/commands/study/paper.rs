@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use pendula_study::claims::{Claim, Ledger, Measured, Verdict};
 use pendula_study::experiments::Study;
@@ -117,33 +118,27 @@ pub struct Filter {
     table: Option<String>,
 }
 
-/// A verdict in a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum VerdictWord {
-    /// Every printed digit is met
-    Reproduced,
-    /// Met, once a definition is supplied that the paper leaves open
-    Definition,
-    /// Met, but only because of how the number was rounded
-    Rounding,
-    /// Another machine, interpreter or sine gives another number
-    Platform,
-    /// Not met
-    Wrong,
-    /// Nothing to compute
-    Uncheckable,
-}
+/// A verdict on a claim of the paper, asked for in a word. The help says of each what the study
+/// says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VerdictWord(Verdict, &'static str);
 
-impl VerdictWord {
-    const fn verdict(self) -> Verdict {
-        match self {
-            Self::Reproduced => Verdict::Reproduced,
-            Self::Definition => Verdict::ReproducedWithDefinition,
-            Self::Rounding => Verdict::DependsOnRounding,
-            Self::Platform => Verdict::DependsOnPlatform,
-            Self::Wrong => Verdict::Wrong,
-            Self::Uncheckable => Verdict::NotCheckable,
-        }
+impl ValueEnum for VerdictWord {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self(Verdict::Reproduced, "reproduced"),
+            Self(Verdict::ReproducedWithDefinition, "definition"),
+            Self(Verdict::DependsOnPlatform, "platform"),
+            Self(Verdict::NotSupported, "unsupported"),
+            Self(Verdict::Wrong, "wrong"),
+            Self(Verdict::NotCheckable, "uncheckable"),
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        // As the help of every other value, it begins with a capital.
+        let (first, rest) = self.0.meaning().split_at(1);
+        Some(PossibleValue::new(self.1).help(first.to_uppercase() + rest))
     }
 }
 
@@ -188,7 +183,7 @@ impl Filter {
         };
         let judged = claim.judged();
         (self.ids.is_empty() || self.ids.contains(&claim.id))
-            && (self.verdict.is_empty() || self.verdict.iter().any(|word| word.verdict() == judged))
+            && (self.verdict.is_empty() || self.verdict.iter().any(|word| word.0 == judged))
             && stands_in(SECTION, &self.section)
             && stands_in(TABLE, &self.table)
     }
@@ -315,9 +310,9 @@ fn write_text(shown: &[&Claim], out: &mut dyn Write) -> io::Result<()> {
 fn coloured(verdict: Verdict) -> String {
     let style = match verdict {
         Verdict::Reproduced => colour::GOOD,
-        Verdict::ReproducedWithDefinition
-        | Verdict::DependsOnRounding
-        | Verdict::DependsOnPlatform => colour::DOUBTFUL,
+        Verdict::ReproducedWithDefinition | Verdict::DependsOnPlatform | Verdict::NotSupported => {
+            colour::DOUBTFUL
+        }
         Verdict::Wrong => colour::BAD,
         Verdict::NotCheckable | Verdict::NotStated => colour::FAINT,
     };
