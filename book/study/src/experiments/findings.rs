@@ -165,8 +165,8 @@ impl Hamiltonian for FallingStone {
 }
 
 /// Symplectic Euler's largest energy error in 1000 s over that in 10 s, in steps of `step` (s), of
-/// a stone that falls from rest. A Hamiltonian system, whose orbit stays in no bounded region: after
-/// n steps the energy is off by g² h² n/2, exactly.
+/// a stone that falls from rest. A Hamiltonian system, whose orbit stays in no bounded region:
+/// after n steps the energy is off by g² h² n/2, exactly.
 pub fn growth_on_a_falling_stone(step: f64) -> f64 {
     let [short, long] = [10.0, 1000.0].map(|duration| {
         let mut drift = EnergyDrift::new(&FallingStone);
