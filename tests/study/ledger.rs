@@ -90,8 +90,8 @@ fn the_same_measurement_gives_the_same_verdict() {
         let has_to = [Verdict::ReproducedWithDefinition, Verdict::NotSupported];
         assert!(says_why || !has_to.contains(&claim.verdict), "{claim:?}");
     }
-    // Three bounds beside A.bounded, and two of the orders.
-    assert_eq!(others, 5);
+    // Three bounds beside A.bounded, two of the orders, and a size.
+    assert_eq!(others, 6);
 }
 
 /// Catches: an error that is counted as often as it is said; a page that says another number.
