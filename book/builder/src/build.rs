@@ -21,14 +21,16 @@ use crate::page_files;
 use crate::preprocess::Pendula;
 use crate::progress::Progress;
 use pendula_output::files;
+use pendula_output::files::whole_folder::WholeFolder;
 
 /// Builds the book in the folder `root`, into the folder `destination` or the one that its
-/// `book.toml` names, and returns the path of its first page. mdBook removes what is in that folder
-/// once all chapters are set.
+/// `book.toml` names, and returns the path of its first page. It is built beside that folder, and
+/// takes the place of what is there when it is whole. While somebody else builds the same book, it
+/// waits.
 ///
 /// # Errors
-/// Anything that stops the build, and anything mdBook only warns of. What is wrong with a chapter
-/// is found before anything is written.
+/// Anything that stops the build, and anything mdBook only warns of. The old book is then as it
+/// was.
 pub fn book(
     root: &Path,
     destination: Option<&Path>,
@@ -37,7 +39,7 @@ pub fn book(
 ) -> Result<PathBuf> {
     let (built, warnings) = collect(|| driven(root, destination, ledger, &progress));
     progress.finish();
-    let pages = built?;
+    let Built { folder, pages } = built?;
     if let Some((first, others)) = warnings.split_first() {
         match others.len() {
             0 => bail!("mdBook warns: {first}"),
@@ -45,24 +47,36 @@ pub fn book(
         }
     }
     let index = pages.join("index.html");
-    let is_there = files::exists(&index).with_context(|| format!("{}", index.display()))?;
+    let is_there = files::exists(&folder.path().join(&index))?;
     ensure!(is_there, "mdBook made no {}", index.display());
-    files::canonicalize(&index).with_context(|| format!("{}", index.display()))
+    let target = folder.replace().context("the old book cannot be replaced")?;
+    Ok(target.join(index))
 }
 
-/// Has mdBook write the pages; returns their folder.
+/// A book that is to take the place of the old one.
+struct Built {
+    folder: WholeFolder,
+    /// Where its pages are in that folder.
+    pages: PathBuf,
+}
+
+/// Has mdBook write the pages.
 fn driven(
     root: &Path,
     destination: Option<&Path>,
     ledger: impl Ledger + 'static,
     progress: &Progress,
-) -> Result<PathBuf> {
+) -> Result<Built> {
     progress.stage("reading the chapters", 1);
     let mut book = MDBook::load(root)
         .with_context(|| format!("the book in {} cannot be read", root.display()))?;
-    if let Some(destination) = destination {
-        book.config.build.build_dir = destination.to_path_buf();
-    }
+    // From there, unless it begins at the root of the disk.
+    let target = root.join(destination.unwrap_or(&book.config.build.build_dir));
+    let wait = || progress.stage("waiting for another build", 1);
+    let folder = WholeFolder::beside(&target, wait)
+        .with_context(|| format!("the book cannot be built beside {}", target.display()))?;
+    let new = files::canonicalize(folder.path())?;
+    book.config.build.build_dir = new.clone();
     // The same name as in book.toml, so that it takes the command's place.
     book.with_preprocessor(Pendula::new(ledger, progress.clone()));
     book.build()?;
@@ -72,7 +86,8 @@ fn driven(
     let site = html.site_url.unwrap_or_default();
     each_page(&pages, |page| page_files::finished(page, &site))?;
     known_answers(root, &pages)?;
-    Ok(pages)
+    let pages = pages.strip_prefix(&new)?.to_path_buf();
+    Ok(Built { folder, pages })
 }
 
 /// Changes every page in the folder.

@@ -5,6 +5,7 @@
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
+use std::thread;
 
 use pendula_book::build;
 use pendula_book::ledger::{Entry, Ledger};
@@ -19,6 +20,9 @@ const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book
                     [preprocessor.pendula]\nafter = [\"links\"]\nrenderers = [\"html\"]\n\
                     [output.html]\nhash-files = false\n\
                     [output.html.search]\nenable = false\n[output.html.print]\nenable = false\n";
+
+/// What is in the folder of a book that is built: the lock is kept.
+const BOOK_ALONE: [&str; 2] = ["target/.book.lock", "target/book"];
 
 /// A book of one chapter.
 fn small_book() -> (TempDir, impl Fn(&str) -> PathBuf) {
@@ -65,7 +69,44 @@ fn a_book_takes_the_place_of_the_old_one() {
     fs::write(at("book/src/two.md"), "# Two\n").unwrap();
     build(&folder).unwrap();
     assert!(!at("target/book/one.html").exists() && at("target/book/two.html").exists());
-    assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
+    assert_eq!(files::list(&at("target")).unwrap(), BOOK_ALONE.map(&at));
+}
+
+/// What comes after mdBook's part fails: the known answers are no JSON.
+///
+/// Catches: a book that is built in the place of the old one, which is gone when the build fails,
+/// or is ended, in its last part.
+#[test]
+fn the_old_book_stays_when_the_last_part_fails() {
+    let (folder, at) = small_book();
+    build(&folder).unwrap();
+    let old = files::tree(&at("target/book")).unwrap();
+    fs::create_dir_all(at("book/src/assets/which")).unwrap();
+    fs::create_dir_all(at("snapshots")).unwrap();
+    fs::write(at("book/src/assets/which/a.txt"), "").unwrap();
+    fs::write(at("snapshots/known-answers.json"), "{").unwrap();
+    fs::write(at("book/src/one.md"), "# Another\n").unwrap();
+    let line = build(&folder).unwrap_err();
+    assert!(line.contains("known-answers.json"), "{line}");
+    assert_eq!(files::tree(&at("target/book")).unwrap(), old);
+    assert!(!fs::read_to_string(at("target/book/one.html")).unwrap().contains("Another"));
+    assert_eq!(files::list(&at("target")).unwrap(), BOOK_ALONE.map(&at));
+}
+
+/// Catches: two builds that write the same pages, so that what each page loads is in it twice.
+#[test]
+fn two_builds_at_once_are_two_whole_books() {
+    let (folder, at) = small_book();
+    thread::scope(|scope| {
+        let builds = [(); 4].map(|()| scope.spawn(|| build(&folder)));
+        for built in builds {
+            built.join().unwrap().unwrap();
+        }
+    });
+    for page in ["index.html", "one.html", "404.html"] {
+        let page = fs::read_to_string(at("target/book").join(page)).unwrap();
+        assert_eq!(page.matches("Content-Security-Policy").count(), 1);
+    }
 }
 
 /// Catches: a digit typed over in a snapshot, or a snapshot that was cut off, published; a book
@@ -111,7 +152,7 @@ fn a_book_stays_where_a_link_leads() {
     assert_eq!(fs::read_link(at("target/book")).unwrap(), Path::new("../published"));
     assert!(at("published/one.html").exists());
     assert_eq!(fs::metadata(at("published")).unwrap().mode() & 0o777, 0o750);
-    let all = ["benches", "book", "published", "target"].map(&at);
+    let all = [".published.lock", "benches", "book", "published", "target"].map(&at);
     assert_eq!(files::list(folder.path()).unwrap(), all);
     assert_eq!(fs::read_dir(at("target")).unwrap().count(), 1);
 }

@@ -2,12 +2,13 @@
 //!
 //! A [`WholeFile`](whole_file::WholeFile) is written beside its place, under a temporary name, and
 //! renamed: whatever fails, and whenever the program ends, the old one is there as it was, or the
-//! new one whole. Nothing else in the program writes where a user looks, but for mdBook. A process
-//! that is interrupted removes [what it leaves](temporary); one that is killed cannot.
+//! new one whole. So is a [`WholeFolder`](whole_folder::WholeFolder), in which mdBook writes. A
+//! process that is interrupted removes [what it leaves](temporary); one that is killed cannot.
 
 pub mod temporary;
 pub mod together;
 pub mod whole_file;
+pub mod whole_folder;
 
 use std::fs::{self, Metadata};
 use std::io;

@@ -17,12 +17,12 @@ pub fn temporary() -> MutexGuard<'static, Temporary> {
 }
 
 impl Temporary {
-    /// Takes in a file that has just been made.
+    /// Takes in a file or a folder that has just been made.
     pub fn add(&mut self, path: &Path) {
         self.0.push(path.to_path_buf());
     }
 
-    /// Forgets a file that has its own name now.
+    /// Forgets one that has its own name now, or is gone.
     pub fn forget(&mut self, path: &Path) {
         self.0.retain(|known| known != path);
     }
@@ -30,7 +30,15 @@ impl Temporary {
     /// Removes all that there is. Nobody is told what cannot be removed.
     pub fn remove(&mut self) {
         for path in self.0.drain(..) {
-            let _ = fs::remove_file(path);
+            if fs::remove_file(&path).is_ok() {
+                continue;
+            }
+            // Who still writes to a folder fails once it is gone.
+            for _ in 0..100 {
+                if fs::remove_dir_all(&path).is_ok() {
+                    break;
+                }
+            }
         }
     }
 }

@@ -25,13 +25,10 @@ pub fn change(changes: &[Change]) -> Result<()> {
     for change in changes {
         if let Change::Written(path, bytes) = change {
             let prepared = prepare(path, bytes);
-            written.push((path, prepared.with_context(|| cannot(path, "written"))?));
+            written.push(prepared.with_context(|| cannot(path, "written"))?);
         }
     }
-    let mut known = temporary();
-    for (path, file) in written {
-        file.rename(&mut known).with_context(|| cannot(path, "written"))?;
-    }
+    replace(written)?;
     for change in changes {
         if let Change::Removed(path) = change {
             remove(path).with_context(|| cannot(path, "removed"))?;
@@ -40,10 +37,22 @@ pub fn change(changes: &[Change]) -> Result<()> {
     Ok(())
 }
 
+/// Puts all these files in the places of their targets, once all are on the disk.
+pub fn replace(mut files: Vec<WholeFile>) -> Result<()> {
+    for file in &mut files {
+        file.complete().with_context(|| cannot(file.target(), "written"))?;
+    }
+    let mut known = temporary();
+    for file in files {
+        let target = file.target().to_path_buf();
+        file.rename(&mut known).with_context(|| cannot(&target, "replaced"))?;
+    }
+    Ok(())
+}
+
 fn prepare(path: &Path, bytes: &[u8]) -> std::io::Result<WholeFile> {
     let mut file = WholeFile::beside(path)?;
     file.write_all(bytes)?;
-    file.complete()?;
     Ok(file)
 }
 

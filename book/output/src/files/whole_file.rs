@@ -75,8 +75,9 @@ impl WholeFile {
         &self.target
     }
 
-    /// Brings all that was written to the disk, so that only the new name is missing.
-    pub fn complete(&mut self) -> io::Result<()> {
+    /// Brings all that was written to the disk, so that only the new name is missing, with the
+    /// permissions of the old file.
+    pub(super) fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
             let permissions = old.permissions();
             // Not those of a program that runs as its owner, who may be another now.
@@ -90,17 +91,11 @@ impl WholeFile {
         self.file.as_file().sync_all()
     }
 
-    /// Puts it in the place of its target, with the permissions of the old file.
+    /// Puts it, once it is [complete](Self::complete), in the place of its target; no interruption
+    /// ends the process while somebody has what is `known`, and renames several.
     ///
     /// # Errors
     /// If that fails; the target is then as it was before.
-    pub fn replace(mut self) -> io::Result<()> {
-        self.complete()?;
-        self.rename(&mut temporary())
-    }
-
-    /// The same of a file that is [complete](Self::complete), for somebody who renames several
-    /// before an interruption may end the process.
     pub(super) fn rename(self, known: &mut Temporary) -> io::Result<()> {
         let name = self.file.path().to_path_buf();
         self.file.persist(&self.target).map_err(|refused| refused.error)?;
