@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from .known import DOUBLE, read_once
+from .known import DOUBLE, checked, read_once
 
 #: A name is given where no other entry lies within so many times what the name is given by.
 ALONE = 10
@@ -174,7 +174,7 @@ def identify(
     the numbers were computed, 2**-23 in single precision. All their digits are needed.
 
     A name is given only where no other entry is near. ``ValueError`` if the file has no answer to
-    such steps.
+    such steps, or for an ``epsilon`` that is none of 2**-53 … 0.01.
 
     >>> from math import sin
     >>> half = 0.5 - 0.125 / 2 * sin(1)
@@ -188,6 +188,7 @@ also: symplectic Euler with the mean of both velocities; order 1, energy grows
     >>> unknown.name, unknown.mistake, unknown.candidates
     (None, None, ())
     """
+    epsilon = checked(epsilon)
     if scene is None:
         scene = _scene(h, steps)
     answers = _answers(scene, steps)

@@ -162,6 +162,7 @@ def judge(
     negative h, refuses one question; it is kept in ``report.refused``.
     """
     __tracebackhide__ = True  # by pytest
+    function("judge", method)
     return judged(Answers(named(method, name), method=method), claims, patience)
 
 
@@ -187,6 +188,7 @@ def judge_rate(
     array.
     """
     __tracebackhide__ = True
+    function("judge_rate", method)
     return judged(Answers(named(method, name), rate=method, state=state), claims, patience)
 
 
@@ -230,6 +232,9 @@ def judge_solver(
     asked for that too; many are caught in it until the patience ends.
     """
     __tracebackhide__ = True
+    function("judge_solver", solver)
+    if crossings is not None:
+        function("judge_solver(…, crossings)", crossings)
     answers = Answers(named(solver, name), solver=solver, crossings=crossings, state=state,
                       impossible=impossible)  # fmt: skip
     return judged(answers, claims, patience)
@@ -255,10 +260,12 @@ def serve(
 
     Every exception refuses its question. What the functions print goes to standard error.
     """
-    function = method or rate or run or solver
-    if function is None:
+    there = [one for one in (method, rate, run, solver) if one is not None]
+    if not there:
         raise TypeError("there is nothing to serve: a method or a solver is needed")
-    answers = Answers(named(function, name), method=method, rate=rate, run=run, solver=solver,
+    for one in there if crossings is None else [*there, crossings]:
+        function("serve", one)
+    answers = Answers(named(there[0], name), method=method, rate=rate, run=run, solver=solver,
                       crossings=crossings, state=state, driven=driven, strict=False)  # fmt: skip
     sys.stdout.flush()
     with os.fdopen(os.dup(1), "w", encoding="utf-8", newline="\n") as told:
@@ -270,6 +277,13 @@ def serve(
                 said = answers.to(line.strip())
                 told.write("\n".join(said) + "\n")
                 told.flush()
+
+
+def function(asking: str, given: object) -> None:
+    """Raises TypeError for what cannot be called."""
+    __tracebackhide__ = True
+    if not callable(given):
+        raise TypeError(f"{asking} takes a function, and not {type(given).__name__}")
 
 
 def named(function: object, name: str | None) -> str:
@@ -346,22 +360,33 @@ class Waiting:
 def judged(answers: Answers, claims: str, patience: float) -> Report:
     """Starts the program, answers it, and reads its report."""
     __tracebackhide__ = True
+    if not isinstance(claims, str):
+        kind = type(claims).__name__
+        raise TypeError(f'the claims are one text, as "order=2 symplectic", and not {kind}')
+    path = program()
+    other = f"{path} is not the program pendula, which PENDULA_PROGRAM may name"
     with tempfile.TemporaryDirectory() as folder:
         page = os.path.join(folder, "report.html")
-        words = [program(), "verify", "--stdio", "--format", "json", "--report", page]
+        words = [path, "verify", "--stdio", "--format", "json", "--report", page]
         words += ["--patience", repr(float(patience)), "--claims", claims]
         pipe = subprocess.PIPE
-        judge = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8")
+        try:
+            judge = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8")
+        except OSError as fault:
+            raise RuntimeError(other) from fault
         with judge:
             try:
-                report = answered(judge, answers)
+                report = answered(judge, answers, other)
             except BaseException:
                 judge.kill()
                 raise
         if judge.returncode not in (0, 1):
             raise NotJudged(report)
-        found = json.loads(report)
-        text = Path(page).read_text(encoding="utf-8")
+        try:
+            found = json.loads(report)
+            text = Path(page).read_text(encoding="utf-8")
+        except (OSError, ValueError) as fault:
+            raise RuntimeError(other) from fault
     return Report(
         verdict=found["verdict"],
         summary=found["summary"],
@@ -381,15 +406,19 @@ def judged(answers: Answers, claims: str, patience: float) -> Report:
 BYE = "bye\n"
 
 
-def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
-    """Answers to the end, and returns the report; or the line that says why there is none."""
+def answered(judge: subprocess.Popen[str], answers: Answers, other: str) -> str:
+    """Answers to the end, and returns the report; or the line that says why there is none. What is
+    said if it is another program."""
     __tracebackhide__ = True
     assert judge.stdin and judge.stdout and judge.stderr
-    waiting = Waiting(judge)
+    waiting, greeted = Waiting(judge), False
     try:
         for line in judge.stdout:
             if line == BYE:
                 break
+            if not greeted and not line.startswith("hello "):
+                raise RuntimeError(other)
+            greeted = True
             with waiting:
                 said = answers.to(line.rstrip("\n"))
             judge.stdin.write("\n".join(said) + "\n")
@@ -407,4 +436,6 @@ def answered(judge: subprocess.Popen[str], answers: Answers) -> str:
     told = judge.stderr.read().strip()
     if judge.wait() in (0, 1):
         return report
+    if not greeted and "pendula:" not in told:
+        raise RuntimeError(other)
     return told.replace("pendula: standard input: ", "", 1)

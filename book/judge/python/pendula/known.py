@@ -13,6 +13,20 @@ from typing import Any
 
 #: ε of a double; that of single precision is 2⁻²³.
 DOUBLE = 2.0**-52
+#: The largest that makes sense: of numbers with two digits.
+MOST = 0.01
+
+
+def checked(epsilon: float) -> float:
+    """The ε of a precision. With none that a type of floats has everything would be right, or
+    nothing."""
+    # Half of a double's, as others define it, and that of floats of 16 bits.
+    if not DOUBLE / 2 <= epsilon <= MOST:
+        raise ValueError(
+            f"epsilon is {epsilon!r}: it must be that of a precision, at least 2**-53 and at most "
+            f"{MOST}; 2**-52 for doubles, 2**-23 in single precision"
+        )
+    return epsilon
 
 
 @functools.cache

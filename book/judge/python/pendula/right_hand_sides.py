@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Callable, Generic, Literal, NamedTuple, TypeVar, Union, overload
 
-from .known import DOUBLE, read_once
+from .known import DOUBLE, MOST, checked, read_once
 
 #: A program has a mistake of a right-hand side if it is within so many tolerances of it: they are
 #: measured on right formulas, and wrong ones may round more.
@@ -200,17 +200,18 @@ def check_right_hand_side(
     it is right; 9 mistakes would not show
 
     ``epsilon`` is that of the precision of ``f``, 2**-23 in single precision. ``ValueError`` for a
-    system or parameters that the file does not have, or if ``f`` returns not as many numbers.
+    system or parameters that the file does not have, for an ``epsilon`` that is none of
+    2**-53 … 0.01, or if ``f`` returns not as many numbers.
     """
     known = _system(system)
     names = known["rates"]
 
-    def rates(state: AnyState) -> tuple[float, ...]:
+    def rates(state: AnyState) -> Found:
         said = f(state)
         numbers = tuple(map(float, said)) if isinstance(said, Iterable) else (float(said),)
         if len(numbers) != len(names):
             raise ValueError(f"{len(names)} numbers, {', '.join(names)}, and not {len(numbers)}")
-        return numbers
+        return Found(numbers)
 
     return _compared(system, rates, "mistakes", parameters, epsilon)
 
@@ -247,7 +248,9 @@ def check_energy(
     epsilon: float = DOUBLE,
 ) -> Compared[Any]:
     """Compares the energy (J) that ``f`` computes with the file. Where it is 0 does not matter:
-    what is compared is the energy less that of the same pendulum at rest, hanging.
+    what is compared is the energy less that of the same pendulum at rest, hanging. Both are rounded
+    as they are; so the further away the zero, the more is allowed, and ``ValueError`` says that too
+    few digits are left.
 
     >>> from math import cos
     >>> def energy(z):
@@ -258,9 +261,10 @@ def check_energy(
     if not _system(system)["energy_mistakes"]:
         raise ValueError(f"the energy of the {system} is that of the pendulum: ask for that")
 
-    def above_rest(state: AnyState) -> tuple[float, ...]:
+    def above_rest(state: AnyState) -> Found:
         rest = state._replace(**{name: 0.0 for name in _system(system)["state"]})
-        return (float(f(state)) - float(f(rest)),)
+        energy, at_rest = float(f(state)), float(f(rest))
+        return Found((energy - at_rest,), max(abs(energy), abs(at_rest)))
 
     return _compared(system, above_rest, "energy_mistakes", parameters, epsilon)
 
@@ -284,6 +288,14 @@ def _state(system: str, answer: Mapping[str, str]) -> AnyState:
     return kind(**numbers)
 
 
+class Found(NamedTuple):
+    """What a function says at a state."""
+
+    numbers: tuple[float, ...]
+    #: The size of the larger of two numbers of which these are the difference.
+    of: float = 0.0
+
+
 class _Point(NamedTuple):
     """An answer of the file, with the numbers that mistakes have there."""
 
@@ -296,13 +308,21 @@ class _Point(NamedTuple):
     least: float
     wrong: list[list[float]]
 
-    def off(self, found: Sequence[float], those: Sequence[float], epsilon: float) -> float:
-        """How far from those numbers, in tolerances; the size is that of them or of the right ones,
-        whichever is larger."""
-        apart = [abs(x - y) for x, y in zip(found, those)]
+    def off(self, found: Found, those: Sequence[float], epsilon: float) -> float:
+        """How far from those numbers, in tolerances. The size is that of them or of the right ones,
+        whichever is larger: the tolerance is so many ε of the numbers that a program rounds. Where
+        it rounds larger ones, and hands out a difference, the size is theirs."""
+        apart = [abs(x - y) for x, y in zip(found.numbers, those)]
         # So that a NaN agrees with nothing, and is as far as can be.
         largest = math.inf if any(map(math.isnan, apart)) else max(apart)
         size = max(self.least, *map(abs, self.right), *map(abs, those))
+        if math.isfinite(found.of):
+            if epsilon * found.of > MOST * size:
+                raise ValueError(
+                    f"an energy of {found.of:.3g} J is too large for a difference of {size:.3g} J: "
+                    "its zero must be nearer"
+                )
+            size = max(size, found.of)
         return largest / (self.tolerance * epsilon * size)
 
 
@@ -325,21 +345,21 @@ def _points(system: str, mistakes: str) -> list[_Point]:
 
 def _compared(
     system: str,
-    f: Callable[[AnyState], tuple[float, ...]],
+    f: Callable[[AnyState], Found],
     mistakes: str,
     parameters: str | None,
     epsilon: float,
 ) -> Compared[Any]:
-    known = _system(system)
+    known, epsilon = _system(system), checked(epsilon)
     if parameters is not None and parameters not in known["sets"]:
         raise ValueError(f"no parameters {parameters!r} among {', '.join(known['sets'])}")
     points = [p for p in _points(system, mistakes) if parameters in (None, p.set)]
     found = [f(point.state) for point in points]
-    rights = [tuple(point.right) for point in points]
+    rights = [Found(tuple(p.right), x.of) for p, x in zip(points, found)]
     distances = [p.off(x, p.right, epsilon) for p, x in zip(points, found)]
     worst = distances.index(max(distances))
 
-    def like(numbers: Sequence[tuple[float, ...]]) -> list[WrongTerm]:
+    def like(numbers: Sequence[Found]) -> list[WrongTerm]:
         """The mistakes that lead to these numbers."""
         return [
             WrongTerm(wrong["name"], wrong["what"], wrong["effect"], wrong["seen"])
@@ -354,7 +374,7 @@ def _compared(
         mistakes=() if holds else tuple(like(found)),
         distance=distances[worst],
         state=points[worst].state,
-        found=found[worst],
-        right=rights[worst],
+        found=found[worst].numbers,
+        right=rights[worst].numbers,
         hidden=tuple(wrong.name for wrong in like(rights)),
     )

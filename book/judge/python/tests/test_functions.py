@@ -3,6 +3,7 @@
 import inspect
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -154,6 +155,48 @@ def test_a_mistake_ends_it_with_its_own_traceback(method, because):
         assert trace.tb_frame.f_code.co_name == "failing"
 
 
+@pytest.mark.parametrize(
+    ("ask", "because"),
+    [
+        (lambda: pendula.judge(None, "order=2"), "judge takes a function, and not NoneType"),
+        (lambda: pendula.judge_rate("rk4"), "judge_rate takes a function, and not str"),
+        (lambda: pendula.judge_solver(2), "judge_solver takes a function, and not int"),
+        (lambda: pendula.judge_solver(verlet, crossings=1), r"crossings\) takes a function"),
+        (lambda: pendula.serve(2), "serve takes a function, and not int"),
+        (lambda: pendula.serve(run=0), "serve takes a function, and not int"),
+        (lambda: pendula.serve(), "there is nothing to serve"),
+        (lambda: pendula.judge(verlet, ["order=2"]), "the claims are one text, .* and not list"),
+        (lambda: pendula.judge(verlet, None), "the claims are one text, .* and not NoneType"),
+        (lambda: pendula.judge(verlet, b"order=2"), "the claims are one text, .* and not bytes"),
+    ],
+)
+def test_what_is_no_function_and_what_are_no_claims(ask, because):
+    """Catches: a report on nothing; a sentence of Python's about paths or files."""
+    with pytest.raises(TypeError, match=because):
+        ask()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other programs")
+@pytest.mark.parametrize("program", ["true", "false", "cat", "ls", "yes", "no-such-program", "."])
+def test_another_program_is_told(program, monkeypatch):
+    """Catches: whatever another program says, or does not, taken for a report; a wait for it."""
+    monkeypatch.setenv("PENDULA_PROGRAM", shutil.which(program) or program)
+    with pytest.raises(RuntimeError, match=f"{program} is not the program pendula, which") as told:
+        pendula.judge(verlet)
+    assert not isinstance(told.value, pendula.NotJudged)
+
+
+def test_the_help_names_commands_that_there_are():
+    """This program is made without the book.
+
+    Catches: a command in its help that it does not have."""
+    told = subprocess.run([pendula.program(), "--help"], capture_output=True, encoding="utf-8")
+    further = re.search("Further commands: (.*)", told.stdout).group(1).split(", ")
+    assert "serve" in further
+    for command in further:
+        subprocess.run([pendula.program(), command, "--help"], capture_output=True, check=True)
+
+
 def slow_ones(force, theta, omega, h):
     if force.g_over_l > 100:
         raise ValueError("too fast")
@@ -246,8 +289,8 @@ def test_control_c_ends_at_once(tmp_path):
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "def slow(force, theta, omega, h):\n"
         "    print('ready', flush=True)\n"
-        "    time.sleep(100)\n"
-        "pendula.judge(slow, patience=100)\n"
+        "    time.sleep(1000)\n"
+        "pendula.judge(slow, patience=1000)\n"
     )
     process = subprocess.Popen(
         [sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -255,7 +298,8 @@ def test_control_c_ends_at_once(tmp_path):
     assert process.stdout.readline() == "ready\n"
     process.send_signal(signal.SIGINT)
     try:
-        errors = process.communicate(timeout=20)[1]
+        # It would sleep for longer, and wait for the judge.
+        errors = process.communicate(timeout=600)[1]
     finally:
         process.kill()
     assert errors.endswith("KeyboardInterrupt\n") and process.returncode != 0

@@ -139,6 +139,21 @@ def test_what_cannot_be_asked_is_refused():
         check_energy("driven-pendulum", lambda z: 0.0)
 
 
+@pytest.mark.parametrize("epsilon", [-1, 0, 2.0**-60, 0.5, 23, 53, math.inf, math.nan])
+def test_what_is_no_precision_is_refused(epsilon):
+    """Catches: the bits of a precision for its ε, or a number by accident, with which all that is
+    wrong is right, and each name is as good as another."""
+    for ask in (
+        lambda: check_right_hand_side("pendulum", lambda z: -3 * z.g, epsilon=epsilon),
+        lambda: check_energy("pendulum", lambda z: z.omega, epsilon=epsilon),
+        lambda: identify(1.05, 0.39, epsilon=epsilon),
+    ):
+        with pytest.raises(ValueError, match=r"epsilon is .*: it must be .* 2\*\*-53 .* 0\.01"):
+            ask()
+    for allowed in (2.0**-53, 2.0**-7, 0.01):
+        assert not check_right_hand_side("pendulum", lambda z: -3 * z.g, epsilon=allowed).holds
+
+
 def accelerations(z, delta=None):
     sin, cos = math.sin, math.cos
     delta = z.theta1 - z.theta2 if delta is None else delta
@@ -273,3 +288,30 @@ def test_energies():
     wrong = check_energy("double-pendulum", lambda z: energy(z, half=1.0)).mistake
     assert wrong is not None and wrong.name == "half-left-out-of-the-second"
     assert check_energy("double-pendulum", lambda z: energy(z, half=0.7)).mistakes == ()
+
+
+@pytest.mark.parametrize("precision, zeros", [(float, [0, -7, 1e3, -1e6, 1e9]), (single, [0, 1e3])])
+def test_where_the_zero_of_an_energy_is_does_not_matter(precision, zeros):
+    """Each of two energies rounds by half an ε of itself, and the zero that was added to both is in
+    both: by an ε of the larger. A right formula has at least so much.
+
+    Catches: the rounding of a zero that is far away for a mistake; a mistake that it hides; a zero
+    so far away that no digit is left, and everything is right."""
+
+    def energy(zero, motion=0.5):
+        def of(z):
+            height = z.g * z.length * -math.cos(z.theta)
+            found = z.mass * (motion * (z.length * z.omega) ** 2 + height)
+            return precision(precision(found) + precision(zero))
+
+        return of
+
+    epsilon = SINGLE if precision is single else 2.0**-52
+    for zero in zeros:
+        check_energy("pendulum", energy(zero), epsilon=epsilon).check()
+        wrong = check_energy("pendulum", energy(zero, motion=1.0), epsilon=epsilon)
+        assert wrong.mistake is not None and wrong.mistake.name == "half-left-out", zero
+    for far in (1e20, -1e30):
+        with pytest.raises(ValueError, match="its zero must be nearer"):
+            check_energy("pendulum", energy(far), epsilon=epsilon)
+    assert not check_energy("pendulum", lambda z: math.inf).holds
