@@ -1,6 +1,8 @@
 //! The library's systems beside the right-hand sides of `snapshots/known-answers.json`, which a
 //! program that knows nothing of them has computed.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use pendula::systems::{Damped, DoublePendulum, DoublePhase, Driven, Joint, Pendulum, Phase};
 use pendula::{Hamiltonian, System};
 use pendula_judge::known_answers::{self, Comparison, Point, RightHandSide};
@@ -184,4 +186,26 @@ fn energies_are_compared_from_rest() {
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].name, "half-left-out");
     assert_eq!(compare(0.75), Comparison::Unknown);
+}
+
+/// Catches: the bits of a precision for its ε, or a number by accident, with which all that is wrong
+/// is right.
+#[test]
+fn what_is_no_precision_is_refused() {
+    let pendulum = known("pendulum");
+    let answer = &known_answers::method("rk4").unwrap().answers[0];
+    for epsilon in [-1.0, 0.0, 1e-17, 0.5, 23.0, 53.0, f64::INFINITY, f64::NAN] {
+        let asked: [&dyn Fn(); 3] = [
+            &|| drop(pendulum.compare(epsilon, |_| vec![0.0])),
+            &|| drop(pendulum.compare_energy(epsilon, |_| 0.0)),
+            &|| assert!(answer.off(Phase::at_rest(9.0), epsilon) > 1.0),
+        ];
+        for ask in asked {
+            let panic = catch_unwind(AssertUnwindSafe(ask)).unwrap_err();
+            let told = panic.downcast_ref::<String>().unwrap();
+            assert!(told.contains("it must be at least 2⁻⁵³"), "{told}");
+        }
+    }
+    let wrong = pendulum.compare(0.01, |_| vec![0.0]);
+    assert_ne!(wrong, Comparison::Right);
 }

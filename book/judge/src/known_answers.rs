@@ -90,10 +90,22 @@ impl Mistake {
     }
 }
 
+/// The ε of a type of numbers. With any other all would be right, or nothing.
+fn checked(epsilon: f64) -> f64 {
+    // Half of that of f64, as others define it, and that of numbers with two digits.
+    let allowed = f64::EPSILON / 2.0..=0.01;
+    assert!(allowed.contains(&epsilon), "ε = {epsilon:?}: it must be at least 2⁻⁵³, at most 0.01");
+    epsilon
+}
+
 impl Answer {
     /// How far off `state` is, in tolerances, for a program whose ε is `epsilon`: at most 1 for a
     /// right one, NaN for a NaN.
+    ///
+    /// # Panics
+    /// If no type of numbers has this ε: it must be at least 2⁻⁵³ and at most 0.01.
     pub fn off(&self, state: Phase, epsilon: f64) -> f64 {
+        let epsilon = checked(epsilon);
         let Phase { theta, omega } = self.state;
         let size = theta.abs().max(omega.abs());
         let off = libm::fmaximum((state.theta - theta).abs(), (state.omega - omega).abs());

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::{FILE, entries, number, text};
+use super::{FILE, checked, entries, number, text};
 
 /// The right-hand side of a system's equations, at a dozen states.
 ///
@@ -101,13 +101,19 @@ impl Point {
     /// right one, NaN for a NaN.
     ///
     /// # Panics
-    /// If there are not as many as the system has.
+    /// If there are not as many as the system has, or no type of numbers has this ε: it must be at
+    /// least 2⁻⁵³ and at most 0.01.
     pub fn off(&self, rates: &[f64], epsilon: f64) -> f64 {
         self.beside(&self.rates, rates, epsilon)
     }
 
     /// How far off an energy is, likewise. `above_rest` is the energy of a program less its own
-    /// where all hang at rest, with the same parameters: where it has its zero does not matter.
+    /// where all hang at rest, with the same parameters: where it has its zero does not matter, as
+    /// long as that is not far away. Both are rounded as they are; so if they are larger than what
+    /// the tolerance is a multiple of, `epsilon` must be as many times larger.
+    ///
+    /// # Panics
+    /// As [`Point::off`], for such an ε.
     pub fn energy_off(&self, above_rest: f64, epsilon: f64) -> f64 {
         self.energy_beside(self.energy, above_rest, epsilon)
     }
@@ -119,12 +125,12 @@ impl Point {
         let both = self.rates.iter().chain(those);
         let size = both.fold(0.0, |size, rate| f64::max(size, rate.abs()));
         let off = |sum: f64, (x, y): (&f64, &f64)| libm::fmaximum(sum, (x - y).abs());
-        rates.iter().zip(those).fold(0.0, off) / (self.tolerance * epsilon * size)
+        rates.iter().zip(those).fold(0.0, off) / (self.tolerance * checked(epsilon) * size)
     }
 
     fn energy_beside(&self, that: f64, above_rest: f64, epsilon: f64) -> f64 {
         let size = self.energy.abs().max(self.depth).max(that.abs());
-        (above_rest - that).abs() / (self.energy_tolerance * epsilon * size)
+        (above_rest - that).abs() / (self.energy_tolerance * checked(epsilon) * size)
     }
 }
 
@@ -133,7 +139,8 @@ impl RightHandSide {
     /// order of [`RightHandSide::rates`]. It agrees with an entry if it does at every point.
     ///
     /// # Panics
-    /// If it answers other than as many numbers as there are rates.
+    /// If it answers other than as many numbers as there are rates, or no type of numbers has this
+    /// ε, as [`Point::off`].
     pub fn compare(
         &'static self,
         epsilon: f64,
@@ -147,7 +154,10 @@ impl RightHandSide {
     }
 
     /// What the energy of a program is: of each point the energy less the program's own at rest,
-    /// with the same parameters.
+    /// with the same parameters, as [`Point::energy_off`].
+    ///
+    /// # Panics
+    /// As that.
     pub fn compare_energy(
         &'static self,
         epsilon: f64,
