@@ -179,7 +179,7 @@ impl LastLines {
     /// The lines, when the program has ended. One that it has started may still hold its standard
     /// error open, and is not waited for.
     pub fn at_the_end(&self) -> Vec<String> {
-        const MOMENT: Duration = Duration::from_millis(200);
+        const MOMENT: Duration = Duration::from_secs(1);
         let _ = self.end.recv_timeout(MOMENT);
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.iter().cloned().collect()

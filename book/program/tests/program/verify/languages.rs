@@ -30,7 +30,7 @@ pub fn there_is(tool: &str) -> bool {
 
 /// Holds the program of these words against the library's Störmer–Verlet.
 fn is_stormer_verlet(words: &[&str]) {
-    let program = started(words, 60.0).unwrap();
+    let program = started(words, 600.0).unwrap();
     assert_eq!(program.name(), "my verlet");
     for request in [request(0.01, 1000), request(-0.02, 300), request(0.5, 1), request(1e-7, 20)] {
         let reply = program.answer(&request).unwrap();
@@ -104,7 +104,7 @@ fn error(program: &Program, request: &SolveRequest) -> f64 {
 
 /// Holds the program of these words against the exact motion, and before the judge.
 fn is_dormand_prince(words: &[&str]) {
-    let program = started(words, 60.0).unwrap();
+    let program = started(words, 600.0).unwrap();
     assert_eq!(program.name(), "my solver");
     let start = Phase { theta: 2.0, omega: 0.3 };
     let solve = |tolerance| SolveRequest::new(9.81, start, tolerance);
@@ -182,7 +182,7 @@ fn is_dormand_prince(words: &[&str]) {
     assert_eq!(program.answer(&request(0.1, 1)), Err(Fault::Unsupported));
 
     let claims = Claims::order(5).estimate(5).free_outputs().crossings();
-    let report = try_judge_solver(&started(words, 10.0).unwrap(), claims).unwrap();
+    let report = try_judge_solver(&started(words, 600.0).unwrap(), claims).unwrap();
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
 }
 
@@ -228,7 +228,7 @@ fn a_solver_is_asked_for_a_hundred_thousand_times() {
     let times: Vec<f64> = (1..=100_000).map(|k| f64::from(k) / 30_001.0).collect();
     let request = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&times);
     assert!(request.to_string().len() > 1_000_000);
-    let program = started([PENDULA, "serve", "dop853"], 60.0).unwrap();
+    let program = started([PENDULA, "serve", "dop853"], 600.0).unwrap();
     let reply = program.solve(&request).unwrap();
     assert_eq!(reply, ByTolerance::new(Dop853).solve(&request).unwrap());
 }

@@ -21,7 +21,7 @@ fn told(options: &[&str], program: &[&str]) -> (String, Option<i32>) {
 /// arguments; a drive that is not passed on; a state of one request that lives on in the next.
 #[test]
 fn what_is_served_is_what_the_library_computes() {
-    let program = started([PENDULA, "serve", "stormer-verlet"], 10.0).unwrap();
+    let program = started([PENDULA, "serve", "stormer-verlet"], 600.0).unwrap();
     assert_eq!(program.name(), "pendula stormer-verlet");
     let drive = Drive { amplitude: 0.3, frequency: 2.0 };
     let chosen = Chosen::named("stormer-verlet").unwrap();
