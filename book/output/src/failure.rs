@@ -15,6 +15,8 @@ pub enum Failure {
     Failed(anyhow::Error),
     /// The answer is "no", which is not an error: nothing is printed. Exit status 1.
     No,
+    /// The answer is "no", and this is why it could not be printed. Exit status 1.
+    Unsaid(String),
     /// Help or version was asked for and has been printed. Exit status 0.
     Answered,
 }
@@ -28,7 +30,9 @@ impl Failure {
     /// The line for standard error, or `None` if nothing is to be printed.
     pub fn line(&self) -> Option<String> {
         match self {
-            Self::Refused(reason) => Some(format!("pendula: {}", one_line(reason))),
+            Self::Refused(reason) | Self::Unsaid(reason) => {
+                Some(format!("pendula: {}", one_line(reason)))
+            }
             Self::Failed(error) if is_broken_pipe(error) => None,
             Self::Failed(error) => Some(format!("pendula: {}", one_line(&format!("{error:#}")))),
             Self::No | Self::Answered => None,
@@ -42,7 +46,7 @@ impl Failure {
             // `pendula … | head` has read enough.
             Self::Failed(error) if is_broken_pipe(error) => 0,
             Self::Failed(_) => 2,
-            Self::No => 1,
+            Self::No | Self::Unsaid(_) => 1,
             Self::Answered => 0,
         }
     }
@@ -74,15 +78,25 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     })
 }
 
-/// The text in one line, as much of each word as a reader needs, and with nothing in it that moves
-/// the cursor or turns the text around.
+/// The text in one line, as much of it as a reader needs, and with nothing in it that moves the
+/// cursor or turns the text around.
 fn one_line(text: &str) -> String {
-    const LONGEST: usize = 300;
-    let shown = |word: &str| match word.char_indices().nth(LONGEST) {
-        Some((end, _)) => printable(&word[..end]) + "…",
-        None => printable(word),
-    };
-    text.split_whitespace().map(shown).collect::<Vec<_>>().join(" ")
+    // A word may be a path, and a line list all methods.
+    const WORD: usize = 200;
+    const LINE: usize = 600;
+    let words = text.split_whitespace().map(|word| shortened(&printable(word), WORD));
+    shortened(&words.collect::<Vec<_>>().join(" "), LINE)
+}
+
+/// The text, without its middle if it has more than so many characters: its beginning says what it
+/// is, and its end mostly what is wrong.
+pub fn shortened(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let begin = text.chars().take(most / 2);
+    begin.chain(['…']).chain(text.chars().skip(count - most / 2)).collect()
 }
 
 #[cfg(test)]
@@ -98,8 +112,11 @@ mod tests {
         assert_eq!(line(several), "pendula: no such method allowed: rk4");
         let hostile = "--output a\u{1b}[2J\u{202e}b: no";
         assert_eq!(line(hostile), "pendula: --output a\\u{1b}[2J\\u{202e}b: no");
-        let long = line(&"x".repeat(5000));
-        assert!(long.chars().count() < 350 && long.ends_with("x…"), "{long}");
+        let long = line(&format!("--output {}.csv: no", "x".repeat(5000)));
+        assert!(long.chars().count() < 250 && long.ends_with("x.csv: no"), "{long}");
+        let words = line(&format!("--claims {}: no", "symplectic ".repeat(2000)));
+        assert!(words.chars().count() < 650 && words.ends_with("symplectic : no"), "{words}");
+        assert!(words.contains('…') && words.starts_with("pendula: --claims symplectic"));
     }
 
     /// Catches: `pendula … | head` ending with a complaint about a broken pipe.
@@ -114,7 +131,9 @@ mod tests {
     #[test]
     fn only_an_answer_has_status_1() {
         let full = io::Error::from(io::ErrorKind::StorageFull);
-        let failures = [Failure::No, full.into(), Failure::refused("no"), Failure::Answered];
-        assert_eq!(failures.map(|failure| failure.status()), [1, 2, 2, 0]);
+        let unsaid = Failure::Unsaid("it cannot be written".to_owned());
+        let failures =
+            [Failure::No, unsaid, full.into(), Failure::refused("no"), Failure::Answered];
+        assert_eq!(failures.map(|failure| failure.status()), [1, 1, 2, 2, 0]);
     }
 }

@@ -8,18 +8,18 @@ use std::num::{NonZeroU64, NonZeroUsize};
 use std::thread;
 
 use anyhow::Context;
-use clap::error::{ContextKind, ErrorKind};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
 
 use crate::commands::number::{Part, Sweep};
 use crate::commands::output::Streams;
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
-use pendula_output::failure::Failure;
+use pendula_output::failure::{Failure, shortened};
 
 #[derive(Debug, Parser)]
 #[command(name = "pendula", version, about = ABOUT)]
-#[command(disable_help_subcommand = true, after_help = STATUS)]
+#[command(disable_help_subcommand = true)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -32,11 +32,16 @@ const ABOUT: &str = if cfg!(feature = "book") {
     "Numerical integrators on the pendulum: verify yours, simulate with ours"
 };
 
-/// What scripts want to know.
-const STATUS: &str = "\
-`pendula COMMAND --help` has examples. Further commands: serve, preprocess, completions, man
-
-Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails";
+/// What scripts want to know, and the names of the commands that the help does not list.
+fn after_help(command: &clap::Command) -> String {
+    let further = command.get_subcommands().filter(|command| command.is_hide_set());
+    let further: Vec<_> = further.map(clap::Command::get_name).collect();
+    format!(
+        "`pendula COMMAND --help` has examples. Further commands: {}\n\n\
+         Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails",
+        further.join(", ")
+    )
+}
 
 /// One variant a command; its arguments and its code are a file or a folder of
 /// [`crate::commands`].
@@ -104,7 +109,9 @@ pub enum Command {
 
 /// The definition of the command line.
 pub fn definition() -> clap::Command {
-    with_negative_numbers(Cli::command())
+    let command = Cli::command();
+    let after_help = after_help(&command);
+    with_negative_numbers(command.after_help(after_help))
 }
 
 /// clap takes what begins with a hyphen for an option, or, if asked, lets pass what it takes for a
@@ -162,7 +169,7 @@ fn without_a_command() -> Result<Command, Failure> {
         use crate::commands::study;
         return Ok(Command::Study(study::Command::Book(study::BookArguments::default())));
     }
-    Cli::command().print_help()?;
+    definition().print_help()?;
     Err(Failure::Answered)
 }
 
@@ -238,7 +245,7 @@ fn is_option(word: &str) -> bool {
 
 /// What is wrong and what is allowed, in one line.
 fn explain(error: &clap::Error) -> String {
-    let folded = fold(&error.to_string());
+    let folded = fold(&told(error));
     match error.kind() {
         // clap names a similar command, if there is one, but does not list the commands.
         ErrorKind::InvalidSubcommand => {
@@ -261,6 +268,17 @@ fn explain(error: &clap::Error) -> String {
         }
         _ => folded,
     }
+}
+
+/// What clap says, with the words that it quotes at a length that can be read.
+fn told(error: &clap::Error) -> String {
+    const LONGEST: usize = 80;
+    error.context().fold(error.to_string(), |told, (_, quoted)| match quoted {
+        ContextValue::String(quoted) if quoted.chars().count() > LONGEST => {
+            told.replace(quoted, &shortened(quoted, LONGEST))
+        }
+        _ => told,
+    })
 }
 
 /// Folds clap's paragraphs into one line, for scripts that read standard error.

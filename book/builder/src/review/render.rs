@@ -1,6 +1,5 @@
 //! A review's Markdown as a page that needs nothing but itself, and as plain text.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
@@ -11,7 +10,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use super::Figure;
 use super::markdown::Document;
 use pendula_judge::printable::escaped;
-use pendula_output::files::whole_file::WholeFile;
+use pendula_output::files::together::{self, Change};
 use pendula_output::files::{canonicalize, create_folder};
 use pendula_output::page::Page;
 
@@ -32,9 +31,7 @@ pub fn write(document: &Document, root: &Path) -> Result<PathBuf> {
     create_folder(&folder).with_context(refused)?;
     // The path to print, as long as nothing has changed.
     let index = canonicalize(&folder).with_context(refused)?.join("index.html");
-    let mut file = WholeFile::beside(&index).with_context(refused)?;
-    file.write_all(html.as_bytes()).with_context(refused)?;
-    file.replace().with_context(refused)?;
+    together::change(&[Change::Written(index.clone(), html.into_bytes())])?;
     Ok(index)
 }
 

@@ -122,6 +122,27 @@ fn a_forgotten_value_is_explained() {
     }
 }
 
+/// Catches: a command that the help names and that is not there, as in the program without the book;
+/// one that it does not name.
+#[test]
+fn the_help_names_the_commands_that_there_are() {
+    let help = definition().render_help().to_string();
+    let (_, further) = help.split_once("Further commands: ").unwrap();
+    let mut named: Vec<&str> = further.lines().next().unwrap().split(", ").collect();
+    let (_, listed) = help.split_once("Commands:\n").unwrap();
+    let listed = listed.lines().take_while(|line| !line.is_empty());
+    named.extend(
+        listed
+            .filter(|line| !line.starts_with("   "))
+            .map(|line| line.split_whitespace().next().unwrap()),
+    );
+    named.sort_unstable();
+    let command = definition();
+    let mut there: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+    there.sort_unstable();
+    assert_eq!(named, there);
+}
+
 /// Catches: an invalid definition of the command line that clap reports only when it is used.
 #[test]
 fn the_definition_is_sound() {

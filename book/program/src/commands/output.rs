@@ -8,12 +8,13 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use anyhow::Context;
 use clap::ValueEnum;
 use pendula_output::failure::Failure;
 use pendula_output::files;
+use pendula_output::files::together;
 use pendula_output::files::whole_file::WholeFile;
 use pendula_output::rows::{Line, Look};
+use same_file::Handle;
 use serde_json::Value;
 
 use super::plot::Plot;
@@ -99,11 +100,6 @@ pub enum Destination<'a> {
 }
 
 impl<'a> Destination<'a> {
-    /// The file `path` that `--output` names if it is given, `out` if not.
-    pub fn open(path: Option<&Path>, out: Self) -> Result<Self, Failure> {
-        path.map_or(Ok(out), |path| Self::file("--output", path))
-    }
-
     /// The file `path` that `option` names, or where the link `path` leads.
     pub fn file(option: &str, path: &Path) -> Result<Self, Failure> {
         let refused = |error: io::Error| {
@@ -129,16 +125,26 @@ impl<'a> Destination<'a> {
         }
     }
 
-    /// Flushes the buffer and renames a temporary file to its target. If that fails, a file is as
-    /// it was before.
-    pub fn finish(mut self) -> Result<(), Failure> {
-        self.flush()?;
-        if let Self::Beside(out) = self {
-            let file = out.into_inner().map_err(|error| error.into_error())?;
-            let refused = format!("{} cannot be replaced", file.target().display());
-            file.replace().context(refused)?;
+    /// Flushes all of them, and then renames temporary files to their targets. If any of it fails,
+    /// each file is as it was before.
+    pub fn finish<const N: usize>(all: [Self; N]) -> Result<(), Failure> {
+        let mut files = Vec::new();
+        for mut destination in all {
+            destination.flush()?;
+            if let Self::Beside(out) = destination {
+                files.push(out.into_inner().map_err(|error| error.into_error())?);
+            }
         }
-        Ok(())
+        Ok(together::replace(files)?)
+    }
+
+    /// Refuses the file that `option` names if the shell has a stream write to it too: what is
+    /// written there would be lost with the file that is replaced.
+    pub fn apart_from(&self, option: &str, stream: Stream) -> Result<(), Failure> {
+        match self.target() {
+            Some(file) if stream.leads_to(file) => Err(stream.refusal(option, file)),
+            _ => Ok(()),
+        }
     }
 
     /// Does this to the writer; an error says which file it is about.
@@ -153,6 +159,44 @@ impl<'a> Destination<'a> {
             Self::Nowhere => action(&mut io::sink()),
         }
     }
+}
+
+/// A stream that the shell may lead to a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stream {
+    /// Standard output.
+    Output,
+    /// Standard error.
+    Error,
+}
+
+impl Stream {
+    /// Whether it leads to this file.
+    pub fn leads_to(self, file: &Path) -> bool {
+        let stream = match self {
+            Self::Output => Handle::stdout(),
+            Self::Error => Handle::stderr(),
+        };
+        // Nothing but a file is looked at: to open a FIFO is to wait.
+        file.is_file() && stream.is_ok_and(|it| Handle::from_path(file).is_ok_and(|at| at == it))
+    }
+
+    /// The refusal to write `what`, an option or what it stands for, to the same file.
+    pub fn refusal(self, what: &str, file: &Path) -> Failure {
+        let (file, name) = (
+            file.display(),
+            match self {
+                Self::Output => "standard output",
+                Self::Error => "standard error",
+            },
+        );
+        Failure::refused(format!("{what} and {name}: both cannot be written to {file}"))
+    }
+}
+
+/// Whether what was to be printed is lost: not if nobody wants to read on.
+pub fn is_lost(printed: &io::Result<()>) -> bool {
+    printed.as_ref().is_err_and(|error| error.kind() != io::ErrorKind::BrokenPipe)
 }
 
 impl Write for Destination<'_> {
@@ -252,15 +296,14 @@ impl<'o, const N: usize> Rows<'o, N> {
         self.out.write_all(self.line.row(&values))
     }
 
-    /// All rows are written: the plot appears, and then their file. If one of them cannot be
+    /// All rows are written: their file and the plot appear. If one of them cannot be
     /// written, what was there before is as it was.
     pub fn finish(mut self) -> Result<(), Failure> {
-        // Before the rows: whoever has them has all that was asked for.
-        if let Some(plot) = self.plot.take() {
-            plot.finish()?;
-        }
         self.end()?;
-        self.out.finish()
+        match self.plot {
+            Some(plot) => Destination::finish([self.out, plot.written()?]),
+            None => Destination::finish([self.out]),
+        }
     }
 
     /// Ends an output that fails: a file is as it was before, elsewhere the rows so far are whole.

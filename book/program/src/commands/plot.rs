@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use pendula_charts::{Axis, Chart, Figure, Style};
 
-use super::output::Destination;
+use super::output::{Destination, Stream};
 use crate::colour;
 use pendula_output::failure::Failure;
 
@@ -67,6 +67,8 @@ pub struct Drawing<'t> {
     pub title: &'t str,
     pub across: Across,
     pub panels: &'static [Panel],
+    /// Whether a summary comes on standard error.
+    pub summary: bool,
 }
 
 /// A plot that is being drawn.
@@ -89,28 +91,40 @@ impl Drawing<'_> {
         output: Option<&Path>,
         out: &'o mut dyn Write,
     ) -> Result<(Option<Plot<'o>>, Destination<'o>), Failure> {
-        let Self { asked, title, across, panels } = self;
-        let (out, rows) = match &asked.plot {
-            None => return Ok((None, Destination::open(output, Destination::Caller(out))?)),
-            Some(path) if path.as_os_str() == "-" => {
-                (Destination::Caller(out), Destination::Nowhere)
+        let Self { asked, title, across, panels, summary } = self;
+        let rows = output.map(|path| Destination::file("--output", path)).transpose()?;
+        let (plot, rows) = match (&asked.plot, rows) {
+            (None, rows) => (None, rows.unwrap_or(Destination::Caller(out))),
+            (Some(path), rows) if path.as_os_str() == "-" => {
+                (Some(Destination::Caller(out)), rows.unwrap_or(Destination::Nowhere))
             }
-            Some(path) => (Destination::file("--plot", path)?, Destination::Caller(out)),
+            (Some(path), rows) => {
+                let plot = Destination::file("--plot", path)?;
+                (Some(plot), rows.unwrap_or(Destination::Caller(out)))
+            }
         };
-        let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
-        let (title, lines) = (capital(title), lines.collect());
-        let rows = Destination::open(output, rows)?;
-        if let (Some(rows), Some(plot)) = (rows.target(), out.target())
+        let files = [("--output", Some(&rows)), ("--plot", plot.as_ref())];
+        let files = || files.iter().filter_map(|(option, file)| Some((*option, (*file)?)));
+        let prints = files().any(|(_, file)| matches!(file, Destination::Caller(_)));
+        for (stream, is_written) in [(Stream::Output, prints), (Stream::Error, summary)] {
+            for (option, file) in files().filter(|_| is_written) {
+                file.apart_from(option, stream)?;
+            }
+        }
+        let Some(plot) = plot else { return Ok((None, rows)) };
+        if let (Some(rows), Some(plot)) = (rows.target(), plot.target())
             && rows == plot
         {
             let (plot, name) = (plot.display(), "--plot and --output");
             return Err(Failure::refused(format!("{name}: both cannot be written to {plot}")));
         }
-        Ok((Some(Plot { out, across, title, panels, lines, first: None }), rows))
+        let lines = panels.iter().flat_map(|panel| panel.columns).map(|_| Thinned::default());
+        let (title, lines) = (capital(title), lines.collect());
+        Ok((Some(Plot { out: plot, across, title, panels, lines, first: None }), rows))
     }
 }
 
-impl Plot<'_> {
+impl<'o> Plot<'o> {
     /// Adds a row.
     pub fn add(&mut self, row: &[f64]) {
         let first = self.first.get_or_insert_with(|| row.to_vec());
@@ -123,15 +137,16 @@ impl Plot<'_> {
         }
     }
 
-    /// Writes the picture: to the terminal as text, to a file as SVG.
-    pub fn finish(mut self) -> Result<(), Failure> {
+    /// Writes the picture, to the terminal as text and to a file as SVG, and hands out what it was
+    /// written to, which is to be [finished](Destination::finish).
+    pub fn written(mut self) -> Result<Destination<'o>, Failure> {
         let mut picture = Vec::new();
         match self.out {
             Destination::Caller(_) => self.write_text(&mut picture)?,
             _ => picture.extend_from_slice(self.figure().to_file("plot").as_bytes()),
         }
         self.out.write_all(&picture)?;
-        self.out.finish()
+        Ok(self.out)
     }
 
     /// Each panel with its lines.

@@ -13,7 +13,7 @@ use pendula_judge::formats::{self, Judged};
 use pendula_judge::{Claims, Fault, Program, Report, Verdict, try_judge, try_judge_solver};
 
 use super::number::number;
-use super::output::Destination;
+use super::output::{Destination, Stream, is_lost};
 use crate::colour;
 use crate::verify::page;
 use pendula_output::failure::Failure;
@@ -129,6 +129,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let refused = |error: anyhow::Error| Failure::refused(format!("{error:#}"));
     let destination = arguments.report.as_deref();
     let destination = destination.map(|path| Destination::file("--report", path)).transpose()?;
+    if let Some(destination) = &destination {
+        destination.apart_from("--report", Stream::Output)?;
+    }
     let patience = Duration::from_secs_f64(seconds);
     let judged = match streams(arguments)? {
         Some((answers, questions)) => {
@@ -156,15 +159,19 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     };
     let judged =
         Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
-    if let Some(mut destination) = destination {
+    let mut destination = destination;
+    if let Some(destination) = &mut destination {
         let html = page::html(&judged);
         destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
-        destination.finish().map_err(|failure| match failure {
+        destination.flush().context("--report").map_err(refused)?;
+    }
+    let printed = print(arguments, &judged, out);
+    if let Some(destination) = destination.filter(|_| !is_lost(&printed)) {
+        Destination::finish([destination]).map_err(|failure| match failure {
             Failure::Failed(error) => refused(error.context("--report")),
             other => other,
         })?;
     }
-    let printed = print(arguments, &judged, out);
     answer(report.verdict, arguments.lenient, printed)
 }
 
@@ -213,12 +220,14 @@ fn answer(verdict: Verdict, lenient: bool, printed: io::Result<()>) -> Result<()
             return Err(Failure::refused(format!("a verdict without a status: {name}")));
         }
     };
+    // A closed pipe is no complaint.
+    let is_lost = is_lost(&printed);
+    let lost = |error: io::Error| format!("the report cannot be written: {error}");
     match (shown, printed) {
+        (true, Err(error)) if is_lost => Err(Failure::refused(lost(error))),
+        (false, Err(error)) if is_lost => Err(Failure::Unsaid(lost(error))),
+        (true, printed) => Ok(printed?),
         (false, _) => Err(Failure::No),
-        // A closed pipe is no complaint.
-        (_, Err(error)) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
-        (_, Err(error)) => Err(Failure::refused(format!("the report cannot be written: {error}"))),
-        (_, Ok(())) => Ok(()),
     }
 }
 

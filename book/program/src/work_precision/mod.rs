@@ -66,9 +66,18 @@ pub struct Measured {
     pub curves: Vec<Curve>,
 }
 
-/// Measures for at most about `seconds`, of which each method has its share on each scene, and of
-/// what those before it have left.
-pub fn measure(seconds: f64, progress: &Progress) -> Measured {
+/// How far each ladder of halved steps is climbed.
+#[derive(Clone, Copy, Debug)]
+pub enum Budget {
+    /// For about so long at most (s), of which each method has its share on each scene, and of what
+    /// those before it have left.
+    Seconds(f64),
+    /// To the first run of more steps, however long that takes.
+    Steps(u64),
+}
+
+/// Measures as much as the budget allows.
+pub fn measure(budget: Budget, progress: &Progress) -> Measured {
     let all = SCENES.iter().flat_map(|scene| METHODS.iter().map(move |method| (*scene, *method)));
     let mut left = SCENES.len() * METHODS.len();
     progress.stage("", left);
@@ -76,7 +85,12 @@ pub fn measure(seconds: f64, progress: &Progress) -> Measured {
     let mut curves = Vec::new();
     for (scene, method) in all {
         progress.next(method.info().title);
-        let share = (seconds - clock.elapsed().as_secs_f64()) / left as f64;
+        let share = match budget {
+            Budget::Seconds(all) => {
+                Budget::Seconds((all - clock.elapsed().as_secs_f64()) / left as f64)
+            }
+            steps @ Budget::Steps(_) => steps,
+        };
         curves.push(curve(scene, method, share));
         left -= 1;
     }
@@ -106,15 +120,19 @@ const SHORTEST: f64 = 1e-4;
 /// With a larger error (rad) the result is no approximation.
 const LARGEST: f64 = 1.0;
 
-/// Climbs a ladder of halved steps up to the rounding floor, or for about `seconds`, and times the
-/// rungs that count more carefully.
-fn curve(scene: Problem, method: MethodRef, seconds: f64) -> Curve {
+/// Climbs a ladder of halved steps up to the rounding floor, or as far as the budget allows, and
+/// times the rungs that count more carefully.
+fn curve(scene: Problem, method: MethodRef, budget: Budget) -> Curve {
     let order = method.info().order;
     let mut rungs: Vec<Measurement> = Vec::new();
     for rate in (0..).map(|doubled| COARSEST << doubled) {
         let rung = climbed(scene, method, rate);
         rungs.push(rung);
-        if 2.0 * rung.seconds > seconds / LADDER || is_done(&rungs, order) {
+        let is_spent = match budget {
+            Budget::Seconds(seconds) => 2.0 * rung.seconds > seconds / LADDER,
+            Budget::Steps(most) => rung.steps > most,
+        };
+        if is_spent || is_done(&rungs, order) {
             break;
         }
     }

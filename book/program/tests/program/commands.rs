@@ -4,11 +4,15 @@
 use std::fs;
 use std::io::{Read, Seek, Write};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{self, Output, Stdio};
 
 use pendula::METHODS;
+use pendula_program::cli::{self, Command};
+use pendula_program::commands::study::{self, work_precision};
+use pendula_program::work_precision::Budget;
 use pendula_study::claims::Verdict;
 use roxmltree::Document;
+use serde_json::Value;
 
 use crate::listed::LEDGER;
 use crate::{
@@ -54,8 +58,16 @@ fn the_book_shows_the_parts_as_they_are_printed() {
     assert_eq!(parts, 2);
 }
 
-/// In two seconds every method comes to errors that count, ten times over on an idle machine.
-///
+/// `pendula bench` with these words, measured with runs up to the first of more than so many steps:
+/// how many runs there is time for depends on what else the machine does.
+fn bench(words: &[&str], steps: u64) -> String {
+    let command = cli::parse([&["pendula", "bench"], words].concat()).unwrap();
+    let Command::Study(study::Command::Bench(arguments)) = command else { panic!("{words:?}") };
+    let mut printed = Vec::new();
+    work_precision::run_with(&arguments, Budget::Steps(steps), &mut printed).unwrap();
+    String::from_utf8(printed).unwrap()
+}
+
 /// Catches: a method or a scene left out, of the table or of the figure; a number under another
 /// heading, or in another unit than its heading or the file says; digits cut off; a line of one
 /// that the other lacks; a figure that names no machine; missing files.
@@ -63,8 +75,8 @@ fn the_book_shows_the_parts_as_they_are_printed() {
 fn work_against_precision_is_printed_and_drawn() {
     assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
     let folder = tempfile::tempdir().unwrap();
-    let run = ["bench", "--output", folder.path().to_str().unwrap(), "--seconds"];
-    let text = printed(&[&run[..], &["2"]].concat());
+    let run = ["--output", folder.path().to_str().unwrap()];
+    let text = bench(&run, 20_000);
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
     let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());
@@ -95,7 +107,8 @@ fn work_against_precision_is_printed_and_drawn() {
     assert!(METHODS.iter().all(|method| svg.contains(method.info().title)));
     assert_eq!(svg.matches("class=\"axis\"").count(), 3);
     assert!(svg.contains(&format!("run time (s), {}", rows[1][7])) && !svg.contains("\n\n"));
-    let objects = json(&[&run[..], &["0.5", "--format", "json"]].concat());
+    let objects = bench(&[&run[..], &["--format", "json"]].concat(), 1000);
+    let objects: Value = serde_json::from_str(&objects).unwrap();
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let objects = objects.as_array().unwrap();
     assert_eq!(csv.lines().count(), objects.len() + 1);
@@ -105,6 +118,20 @@ fn work_against_precision_is_printed_and_drawn() {
         assert_eq!(object["error"].as_f64(), fields[5].parse().ok());
     }
     assert_eq!(names(folder.path()), ["work-precision.csv", "work-precision.svg"]);
+}
+
+/// Catches: an option that does not reach the measurement, so that it takes fifteen seconds, or
+/// hours; a figure or a table that cannot be made where there was time for nothing.
+#[test]
+fn a_moment_is_enough_for_files_without_measurements() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = ["bench", "--output", folder.path().to_str().unwrap(), "--seconds", "1e-9"];
+    let text = printed(&run);
+    // The first rung of each ladder has no finer one to be held against.
+    assert_eq!(text.matches(" — ").count(), 3 * 3 * METHODS.len(), "{text}");
+    let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1);
+    assert!(fs::read_to_string(folder.path().join("work-precision.svg")).unwrap().contains("<svg"));
 }
 
 /// Catches: a half-written file, or an old one destroyed, by a request that is refused or fails.
@@ -163,7 +190,7 @@ fn a_closed_pipe_ends_it_quietly() {
         // A run that goes on is killed after 20 s of the processor's time, and so fails.
         shell("ulimit -t 20; exec \"$0\" \"$@\"")
     } else {
-        Command::new(PENDULA)
+        process::Command::new(PENDULA)
     };
     let mut run = run
         .args(words("simulate --method rk4 --theta0 1 --dt 0.01 --steps 1000000000000"))
@@ -239,7 +266,8 @@ fn bad_protocol_input_is_refused_in_one_line() {
     let mut input = tempfile::tempfile().unwrap();
     input.write_all(b"{}").unwrap();
     input.rewind().unwrap();
-    let line = refused(&Command::new(PENDULA).arg("preprocess").stdin(input).output().unwrap());
+    let line =
+        refused(&process::Command::new(PENDULA).arg("preprocess").stdin(input).output().unwrap());
     assert!(line.contains("[context, book]"), "{line}");
 }
 
@@ -266,7 +294,7 @@ fn the_book_is_where_the_command_says() {
         fs::create_dir_all(at(name).parent().unwrap()).unwrap();
         fs::write(at(name), text).unwrap();
     }
-    let mut command = Command::new(PENDULA);
+    let mut command = process::Command::new(PENDULA);
     let Output { status, stdout, stderr } =
         command.arg("book").current_dir(at("book/src")).output().unwrap();
     let printed = String::from_utf8(stdout).unwrap();
@@ -338,7 +366,7 @@ fn two_rods_keep_a_tolerance() {
 #[test]
 fn too_many_threads_are_refused() {
     for count in ["100000", "-1", "many"] {
-        let mut sweep = Command::new(PENDULA);
+        let mut sweep = process::Command::new(PENDULA);
         sweep.args(words("sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1"));
         let line = refused(&sweep.env("RAYON_NUM_THREADS", count).output().unwrap());
         assert!(line.contains("it must be a whole number, at most"), "{line}");

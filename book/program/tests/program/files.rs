@@ -141,6 +141,100 @@ fn a_full_disk_is_told() {
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
+/// Of several outputs one fails: of rows and their plot, of a report and its page, of a table and
+/// its files. What is no file cannot be taken back, but the files are as they were.
+///
+/// Catches: a file that is replaced before it is known that all there is to write is written.
+#[test]
+fn all_files_are_replaced_or_none() {
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    let (folder, at) = folder();
+    for name in ["a.svg", "work-precision.svg", "work-precision.csv"] {
+        fs::write(at(name), "old").unwrap();
+    }
+    // So few rows that they go out at the end.
+    let run = RUN.join(" ").replace("1000", "9");
+    for line in [
+        &*format!("{run} --plot a.svg --output /dev/full"),
+        &format!("{run} --output a.svg --plot /dev/full"),
+        &format!("{run} --plot a.svg > /dev/full"),
+        &format!("{run} --output a.svg --plot - > /dev/full"),
+        "sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --plot a.svg --output /dev/full",
+        "verify --report a.svg -- $0 serve rk4 > /dev/full",
+        "bench --seconds 1e-9 --output . > /dev/full",
+    ] {
+        let output = shell(&format!("exec \"$0\" {line}")).current_dir(folder.path()).output();
+        let told = refused(&output.unwrap());
+        assert!(told.contains("cannot be written: "), "{line}: {told}");
+        for name in ["a.svg", "work-precision.svg", "work-precision.csv"] {
+            assert_eq!(fs::read(at(name)).unwrap(), b"old", "{line}");
+        }
+        assert_eq!(names(folder.path()).len(), 3, "{line}");
+    }
+}
+
+/// Catches: a report that is lost in silence where a claim fails; one with the status of a program
+/// that cannot be judged; a page that nobody gets because nobody reads the report.
+#[test]
+fn a_report_that_cannot_be_written_is_told() {
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    let (folder, at) = folder();
+    for (claims, reader, status, told) in [
+        ("order=2", "> /dev/full", 2, "pendula: the report cannot be written: standard output"),
+        ("order=4", "> /dev/full", 1, "pendula: the report cannot be written: standard output"),
+        ("order=4", "| true", 1, ""),
+    ] {
+        let script = format!(
+            "{{ \"$0\" verify --report a.html --claims {claims} -- \"$0\" serve stormer-verlet\n\
+             echo $? > status; }} {reader}"
+        );
+        let output = shell(&script).current_dir(folder.path()).output().unwrap();
+        let line = String::from_utf8(output.stderr).unwrap();
+        assert!(line.starts_with(told) && line.lines().count() == told.lines().count(), "{line}");
+        assert_eq!(fs::read_to_string(at("status")).unwrap(), format!("{status}\n"), "{claims}");
+        assert_eq!(at("a.html").exists(), told.is_empty(), "{claims}");
+    }
+}
+
+/// The shell leads a stream to the file that an option names; then also where nothing is written
+/// to that stream.
+///
+/// Catches: a drawing, rows, a summary or a report that are written to a file which is then
+/// replaced, and lost with status 0; a redirection refused that loses nothing.
+#[test]
+fn a_stream_and_a_file_of_one_name_are_refused() {
+    let (folder, at) = folder();
+    let run = RUN.join(" ");
+    let lost = [
+        &*format!("{run} --plot - --output x > x"),
+        &format!("{run} --plot x > x"),
+        &format!("{run} --plot - --output link >> x"),
+        "sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --plot x > x",
+        "verify --report x -- $0 serve rk4 > x",
+        "bench --seconds 1e-9 --output . > work-precision.csv",
+    ];
+    symlink("x", at("link")).unwrap();
+    for line in lost {
+        let output = shell(&format!("exec \"$0\" {line}")).current_dir(folder.path()).output();
+        let told = refused(&output.unwrap());
+        assert!(told.contains("and standard output: both cannot be written to"), "{line}: {told}");
+    }
+    let with_summary = format!("exec \"$0\" {run} --summary --output x 2> x");
+    let output = shell(&with_summary).current_dir(folder.path()).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let told = fs::read_to_string(at("x")).unwrap();
+    assert!(told.contains("and standard error: both cannot be written to"), "{told}");
+    for line in [format!("{run} --output x > x"), format!("{run} --output x 2> x")] {
+        let output = shell(&format!("exec \"$0\" {line}")).current_dir(folder.path()).output();
+        succeeds(&output.unwrap());
+        assert_eq!(fs::read_to_string(at("x")).unwrap().lines().count(), 1002, "{line}");
+    }
+}
+
 /// Also through a link.
 ///
 /// Catches: rows that are written, and overwritten at the end of a long run.

@@ -159,6 +159,7 @@ sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 1/184467440737095
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part --summary
 sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --part 2/3 --format json
 sweep --method rk4 --theta0 1 --dt 0.1:1:3 --duration 1 --device p
+sweep --method rk4 --theta0 0:1:5 --dt 0.1 --duration 1 --device=
 exact --theta0 nan
 exact --theta0 2/3pi
 exact --theta0 1 --format json

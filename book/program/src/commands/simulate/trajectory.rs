@@ -120,7 +120,7 @@ impl TrajectoryArguments {
         let &Self { summary, every, format, ref output, .. } = self;
         let begun = Instant::now();
         let Trajectory { row, start, ref title, panels, columns, .. } = *trajectory;
-        let plot = Drawing { asked: &self.plot, title, across: TIME, panels };
+        let plot = Drawing { asked: &self.plot, title, across: TIME, panels, summary };
         let opened = plot.begin(output.as_deref(), out)?;
         let rows = Rows::begin(opened, format, columns, true)?;
         let drift = drift.filter(|_| summary);

@@ -161,7 +161,8 @@ impl Walk<'_> {
         let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
         let mut walk = adaptive.steps(system, start, 0.0, duration).map_err(Failure::refused)?;
 
-        let plot = Drawing { asked: &arguments.plot, title: &title, across: TIME, panels };
+        let &TrajectoryArguments { plot: ref asked, summary, .. } = arguments;
+        let plot = Drawing { asked, title: &title, across: TIME, panels, summary };
         let opened = plot.begin(arguments.output.as_deref(), out)?;
         let mut rows = Rows::begin(opened, arguments.format, columns, true)?;
         if let Some(drift) = &mut drift {

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
 use super::open_in_browser;
+use crate::commands::output::Stream;
 use pendula_book::locate;
 use pendula_book::progress::Progress;
 use pendula_book::review::markdown::Document;
@@ -75,6 +76,10 @@ pub fn run_in(
         let folder = root.join(render::FOLDER);
         let no_page = || format!("{} cannot be written", folder.join("index.html").display());
         files::create_folder(&folder).with_context(no_page)?;
+        let index = folder.join("index.html");
+        if Stream::Output.leads_to(&index) {
+            return Err(Stream::Output.refusal("the page", &index));
+        }
     }
     let review = compared(root, &book, arguments.since.as_deref(), compute)?;
     let document = Document::new(&review)?;

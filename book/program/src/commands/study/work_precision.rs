@@ -11,9 +11,9 @@ use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
 use crate::commands::number::number;
-use crate::commands::output::TableFormat;
+use crate::commands::output::{Stream, TableFormat, is_lost};
 use crate::work_precision::figure;
-use crate::work_precision::{Curve, Measured, Measurement, Problem, SCENES, measure};
+use crate::work_precision::{Budget, Curve, Measured, Measurement, Problem, SCENES, measure};
 use pendula_book::locate;
 use pendula_book::progress::Progress;
 use pendula_output::failure::Failure;
@@ -35,9 +35,14 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Measures, writes the figure and the numbers to their files, and prints the table: for each scene
+/// Measures, prints the table, and writes the figure and the numbers to their files: for each scene
 /// and method the steps that count, with their error (rad) and run time (s).
 pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
+    run_with(arguments, Budget::Seconds(arguments.seconds), out)
+}
+
+/// The same with this budget instead of the seconds.
+pub fn run_with(arguments: &Arguments, budget: Budget, out: &mut dyn Write) -> Result<(), Failure> {
     let seconds = arguments.seconds;
     if !(seconds > 0.0 && seconds <= 3600.0) {
         return Err(Failure::refused(format!(
@@ -45,32 +50,43 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         )));
     }
     let folder = folder(arguments.output.as_deref())?;
-    let measured = measure(seconds, &Progress::on_terminal());
-    let csv = write_files(&folder, &measured)?;
-    match arguments.format {
+    for file in [SVG, CSV].map(|file| folder.join(file)) {
+        if Stream::Output.leads_to(&file) {
+            return Err(Stream::Output.refusal("the table and the files", &file));
+        }
+    }
+    let measured = measure(budget, &Progress::on_terminal());
+    let printed = print(arguments.format, &measured, &folder, out);
+    if !is_lost(&printed) {
+        together::change(&[
+            Change::Written(folder.join(SVG), figure::svg(&measured).into_bytes()),
+            Change::Written(folder.join(CSV), csv(&measured).into_bytes()),
+        ])?;
+    }
+    Ok(printed?)
+}
+
+/// Prints the table, all of it; as text, with the names of the files in the folder.
+fn print(
+    format: TableFormat,
+    measured: &Measured,
+    folder: &Path,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    match format {
         TableFormat::Text => {
-            write_text(&measured, out)?;
+            write_text(measured, out)?;
             let [svg, csv] = [SVG, CSV].map(|file| folder.join(file));
             writeln!(out, "\n{}\n{}", svg.display(), csv.display())?;
         }
-        TableFormat::Csv => out.write_all(csv.as_bytes())?,
+        TableFormat::Csv => out.write_all(csv(measured).as_bytes())?,
         TableFormat::Json => {
             let rows: Vec<Value> =
-                points(&measured).map(|(curve, point)| object(&measured, curve, point)).collect();
+                points(measured).map(|(curve, point)| object(measured, curve, point)).collect();
             writeln!(out, "{:#}", json!(rows))?;
         }
     }
-    Ok(())
-}
-
-/// Writes the figure and the numbers, both or neither; returns the numbers.
-fn write_files(folder: &Path, measured: &Measured) -> Result<String, Failure> {
-    let csv = csv(measured);
-    together::change(&[
-        Change::Written(folder.join(SVG), figure::svg(measured).into_bytes()),
-        Change::Written(folder.join(CSV), csv.clone().into_bytes()),
-    ])?;
-    Ok(csv)
+    out.flush()
 }
 
 /// The folder for the files, checked to be writable before anything is measured.

@@ -72,7 +72,7 @@ struct SweepArguments {
     part: Option<Part>,
     /// Run on the OpenCL device with NAME in its name, with the same bits (see `pendula sweep
     /// devices`)
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = part_of_a_name)]
     device: Option<String>,
     /// Write to this file, which appears only when it is complete
     #[arg(long, value_name = "FILE")]
@@ -82,6 +82,14 @@ struct SweepArguments {
     summary: bool,
     #[command(flatten)]
     plot: PlotArguments,
+}
+
+/// What a device may be called by: nothing is in each of their names.
+fn part_of_a_name(text: &str) -> Result<String, &'static str> {
+    match text.trim() {
+        "" => Err("it must be a part of the name of a device (see `pendula sweep devices`)"),
+        _ => Ok(text.to_owned()),
+    }
 }
 
 /// Writes the rows theta0, dt, theta, omega, energy_error: the start (rad), the step (s), the state
@@ -251,7 +259,8 @@ impl Printer<'_> {
         // The header stands in the first part.
         let header = part.is_none_or(|part| part.is_first());
         let title = format!("{}, {}, {duration:?} s", self.runner.info().title, self.fixed);
-        let plot = Drawing { asked: plot, title: &title, across: self.across, panels: &PANELS };
+        let (across, panels) = (self.across, &PANELS);
+        let plot = Drawing { asked: plot, title: &title, across, panels, summary };
         let opened = plot.begin(output.as_deref(), out)?;
         let mut rows = Rows::begin(opened, format, columns, header)?;
         let (mut steps, mut largest) = (0, summary.then(Largest::default));
