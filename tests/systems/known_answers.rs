@@ -188,8 +188,8 @@ fn energies_are_compared_from_rest() {
     assert_eq!(compare(0.75), Comparison::Unknown);
 }
 
-/// Catches: the bits of a precision for its ε, or a number by accident, with which all that is wrong
-/// is right.
+/// Catches: the bits of a precision for its ε, or a number by accident, with which all that is
+/// wrong is right.
 #[test]
 fn what_is_no_precision_is_refused() {
     let pendulum = known("pendulum");

@@ -3,7 +3,6 @@
 
 use std::any::TypeId;
 use std::ffi::OsString;
-use std::io::{self, Write};
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::thread;
 
@@ -173,14 +172,13 @@ fn without_a_command() -> Result<Command, Failure> {
     Err(Failure::Answered)
 }
 
-/// Runs a command; its output goes to `out`.
-pub fn run(command: Command, out: &mut dyn Write) -> Result<(), Failure> {
+/// Runs a command; its output goes to the streams.
+pub fn run(command: Command, streams: Streams<'_>) -> Result<(), Failure> {
     // They are started here, because rayon panics where they are needed and cannot be had.
     ThreadPoolBuilder::new()
         .num_threads(threads(std::env::var("RAYON_NUM_THREADS").ok().as_deref())?)
         .build_global()
         .context("threads cannot be had: set RAYON_NUM_THREADS to a smaller number")?;
-    let streams = Streams { out, err: &mut io::stderr() };
     match command {
         #[cfg(feature = "book")]
         Command::Study(command) => crate::commands::study::run(command, streams.out),

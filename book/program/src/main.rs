@@ -5,25 +5,39 @@ use std::process::ExitCode;
 
 use pendula_output::failure::Failure;
 use pendula_output::interrupt;
-use pendula_program::commands::output::WholeLines;
+use pendula_program::commands::output::{Streams, WholeLines};
 use pendula_program::{cli, colour};
 
-/// Standard output, whose errors say so.
-struct StandardOutput(io::StdoutLock<'static>);
+/// Standard output or standard error, whose errors say so.
+struct Standard<W> {
+    stream: W,
+    name: &'static str,
+    /// Then the runtime writes to /dev/null.
+    is_closed: bool,
+}
 
-impl StandardOutput {
-    fn named(error: io::Error) -> io::Error {
-        io::Error::new(error.kind(), format!("standard output cannot be written: {error}"))
+impl<W: Write> Standard<W> {
+    fn named(&self, error: io::Error) -> io::Error {
+        io::Error::new(error.kind(), format!("{} cannot be written: {error}", self.name))
+    }
+
+    /// An error if nothing can be written.
+    fn open(&self) -> io::Result<()> {
+        match self.is_closed {
+            true => Err(self.named(io::Error::other("it is closed"))),
+            false => Ok(()),
+        }
     }
 }
 
-impl Write for StandardOutput {
+impl<W: Write> Write for Standard<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.write(bytes).map_err(Self::named)
+        self.open()?;
+        self.stream.write(bytes).map_err(|error| self.named(error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.0.flush().map_err(Self::named)
+        self.stream.flush().map_err(|error| self.named(error))
     }
 }
 
@@ -38,10 +52,20 @@ fn main() -> ExitCode {
         let _ = writeln!(io::stderr(), "{}", failure.line().unwrap_or_default());
         return failure.exit_code();
     }
-    let mut out = WholeLines::new(StandardOutput(io::stdout().lock()));
+    let (name, is_closed) = ("standard output", pendula_closed::output());
+    let out = Standard { stream: io::stdout().lock(), name, is_closed };
+    let is_open = out.open();
+    let mut out = WholeLines::new(out);
+    let (name, is_closed) = ("standard error", pendula_closed::error());
+    let mut err = Standard { stream: io::stderr(), name, is_closed };
     let outcome = cli::parse(std::env::args_os())
-        .and_then(|command| cli::run(command, &mut out))
-        .and_then(|()| out.flush().map_err(Failure::from));
+        .and_then(|command| cli::run(command, Streams { out: &mut out, err: &mut err }))
+        .and_then(|()| out.flush().map_err(Failure::from))
+        // clap has printed it by itself.
+        .map_err(|failure| match (failure, is_open) {
+            (Failure::Answered, Err(closed)) => closed.into(),
+            (failure, _) => failure,
+        });
     interrupt::wait_if_ending();
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

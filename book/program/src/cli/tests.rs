@@ -122,8 +122,8 @@ fn a_forgotten_value_is_explained() {
     }
 }
 
-/// Catches: a command that the help names and that is not there, as in the program without the book;
-/// one that it does not name.
+/// Catches: a command that the help names and that is not there, as in the program without the
+/// book; one that it does not name.
 #[test]
 fn the_help_names_the_commands_that_there_are() {
     let help = definition().render_help().to_string();

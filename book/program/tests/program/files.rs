@@ -141,6 +141,36 @@ fn a_full_disk_is_told() {
     assert!(line.contains("standard output cannot be written: No space left"), "{line}");
 }
 
+/// Rust opens /dev/null in the place of a stream that is closed.
+///
+/// Catches: rows, a report, help or a summary that nobody gets, with status 0; a command refused
+/// that has nothing to say there.
+#[test]
+fn a_closed_stream_is_told() {
+    let (folder, at) = folder();
+    let run = RUN.join(" ");
+    let ended = |line: &str| {
+        let output = shell(&format!("exec \"$0\" {line}")).current_dir(folder.path()).output();
+        output.unwrap()
+    };
+    for line in [
+        &*format!("{run} >&-"),
+        &format!("{run} --plot - >&-"),
+        "exact --theta0 1 >&-",
+        "methods >&-",
+        "--help >&-",
+        "--version >&-",
+        "verify --claims order=4 -- $0 serve rk4 >&-",
+    ] {
+        let told = refused(&ended(line));
+        assert!(told.contains("standard output cannot be written: it is closed"), "{line}: {told}");
+    }
+    assert_eq!(ended(&format!("{run} --summary --output a.csv 2>&-")).status.code(), Some(2));
+    succeeds(&ended(&format!("{run} --output b.csv >&-")));
+    succeeds(&ended(&format!("{run} --output b.csv > /dev/null 2>&-")));
+    assert!(fs::read(at("b.csv")).unwrap().len() > 1000);
+}
+
 /// Of several outputs one fails: of rows and their plot, of a report and its page, of a table and
 /// its files. What is no file cannot be taken back, but the files are as they were.
 ///
