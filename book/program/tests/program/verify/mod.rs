@@ -17,11 +17,15 @@ use serde_json::Value;
 
 use crate::{PENDULA, names, pendula, refused};
 
+/// How long runs are and how many tolerances are asked for goes by the time that answers take: with
+/// minutes for each it does not depend on what else the machine does.
+const PATIENT: [&str; 2] = ["--patience", "600"];
+
 /// Exit status and report, as JSON that is valid by its schema, of `program`, judged with these
 /// options.
 #[track_caller]
 fn judged(options: &[&str], program: &[&str]) -> (i32, Value) {
-    let words = [&["verify", "--format", "json"], options, &["--"], program].concat();
+    let words = [&["verify", "--format", "json"][..], &PATIENT, options, &["--"], program].concat();
     let output = pendula(words);
     let status = output.status.code().expect("it is not killed");
     let report: Value = serde_json::from_slice(&output.stdout)

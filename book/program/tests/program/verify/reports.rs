@@ -7,13 +7,13 @@ use pendula_judge::{Chosen, Drive, Stranger};
 use roxmltree::Document;
 use serde_json::Value;
 
-use super::{PENDULA, judged, names, pendula, refused, request, started};
+use super::{PATIENT, PENDULA, judged, names, pendula, refused, request, started};
 
 const RK4: [&str; 3] = [PENDULA, "serve", "rk4"];
 
 /// Standard output and exit status of `verify` with these options, of a program.
 fn told(options: &[&str], program: &[&str]) -> (String, Option<i32>) {
-    let output = pendula([&["verify"], options, &["--"], program].concat());
+    let output = pendula([&["verify"], &PATIENT[..], options, &["--"], program].concat());
     (String::from_utf8(output.stdout).unwrap(), output.status.code())
 }
 

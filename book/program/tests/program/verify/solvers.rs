@@ -7,7 +7,7 @@ use roxmltree::Document;
 use rstest::rstest;
 use serde_json::Value;
 
-use super::{PENDULA, judged, pendula};
+use super::{PATIENT, PENDULA, judged, pendula};
 
 /// The property of this name, of which there is one.
 #[track_caller]
@@ -56,8 +56,9 @@ fn both_are_in_each_report() {
     let folder = tempfile::tempdir().unwrap();
     let page = folder.path().join("report.html");
     let options = ["--report", page.to_str().unwrap(), "--format", "junit"];
-    let output =
-        pendula([&["verify", "--claims", CLAIMS], &options[..], &["--"], &SERVED].concat());
+    let output = pendula(
+        [&["verify", "--claims", CLAIMS][..], &PATIENT, &options[..], &["--"], &SERVED].concat(),
+    );
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let html = fs::read_to_string(page).unwrap();
     for figure in ["ladder", "energy", "square", "way", "tolerance", "evaluations", "outputs"] {

@@ -6,7 +6,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use rstest::rstest;
 use serde_json::Value;
 
-use super::{assert_valid, judged};
+use super::{PATIENT, assert_valid, judged};
 use crate::{PENDULA, assert_refused};
 
 /// A process that is talked to.
@@ -101,7 +101,7 @@ fn served(method: &str) -> impl FnMut(&str) -> String {
 #[case::solver("dop853", "order=8 estimate=8", 0)]
 fn it_is_judged_as_a_program_is(#[case] method: &str, #[case] claims: &str, #[case] status: i32) {
     let options = ["--claims", claims];
-    let told = told(&[&options[..], &["--format", "json"]].concat(), served(method));
+    let told = told(&[&options[..], &PATIENT, &["--format", "json"]].concat(), served(method));
     assert_eq!((told.status, told.errors.as_str()), (status, ""));
     let report: Value = serde_json::from_str(&told.report).unwrap();
     assert_valid(&report);
