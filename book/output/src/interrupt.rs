@@ -80,6 +80,7 @@ fn end() {
     let mut known = temporary();
     known.remove();
     say("pendula: interrupted\n");
+    known.remove();
     signal_hook::low_level::exit(2);
 }
 

@@ -1,6 +1,6 @@
 //! The temporary files of this process: an interruption that ends it removes them.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -27,18 +27,50 @@ impl Temporary {
         self.0.retain(|known| known != path);
     }
 
-    /// Removes all that there is. Nobody is told what cannot be removed.
+    /// Removes all that there is. Nobody is told what cannot be removed. A folder is first replaced by
+    /// a file, on which who still writes there fails, and would make it anew otherwise; called again,
+    /// this removes the file.
     pub fn remove(&mut self) {
-        for path in self.0.drain(..) {
-            if fs::remove_file(&path).is_ok() {
-                continue;
+        self.0.retain(|path| fs::remove_file(path).is_err() && path.is_dir() && replaced(path));
+    }
+}
+
+/// Puts a file in the place of a folder; as often as somebody else is quicker.
+fn replaced(folder: &Path) -> bool {
+    (0..100).any(|_| {
+        let _ = fs::remove_dir_all(folder);
+        File::create_new(folder).is_ok()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a folder that is left because somebody writes to it while it is removed, or after.
+    #[test]
+    fn a_folder_in_which_somebody_writes_is_removed() {
+        let top = tempfile::tempdir().unwrap();
+        let [folder, file] = ["folder", "file"].map(|name| top.path().join(name));
+        fs::write(&file, "").unwrap();
+        let mut all = Temporary(vec![folder.clone(), file, top.path().join("gone")]);
+        // As mdBook does, which makes the folders of each file.
+        let write = move || {
+            let mut count = 0;
+            let inner = folder.join("a");
+            while fs::create_dir_all(&inner).and_then(|()| fs::write(inner.join("b"), "")).is_ok() {
+                count += 1;
             }
-            // Who still writes to a folder fails once it is gone.
-            for _ in 0..100 {
-                if fs::remove_dir_all(&path).is_ok() {
-                    break;
-                }
-            }
+            count
+        };
+        let writer = std::thread::spawn(write.clone());
+        while !top.path().join("folder/a/b").exists() {
+            std::thread::yield_now();
         }
+        all.remove();
+        assert!(writer.join().unwrap() > 0);
+        assert_eq!(write(), 0);
+        all.remove();
+        assert_eq!(fs::read_dir(top.path()).unwrap().count(), 0);
     }
 }
