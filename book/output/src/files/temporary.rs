@@ -27,9 +27,9 @@ impl Temporary {
         self.0.retain(|known| known != path);
     }
 
-    /// Removes all that there is. Nobody is told what cannot be removed. A folder is first replaced by
-    /// a file, on which who still writes there fails, and would make it anew otherwise; called again,
-    /// this removes the file.
+    /// Removes all that there is. Nobody is told what cannot be removed. A folder is first replaced
+    /// by a file: who still writes there fails on it, and would make the folder anew otherwise.
+    /// Called again, this removes the file.
     pub fn remove(&mut self) {
         self.0.retain(|path| fs::remove_file(path).is_err() && path.is_dir() && replaced(path));
     }
