@@ -57,7 +57,7 @@ def scenes_of(method):
     if method.kind == "multistep":
         return {"swinging": [1, 2], "driven": [1, 2]}
     left_out = [] if is_unique(method) else ["coarse"]
-    if method.kind in ("discrete-gradient", "processed") or "gradients" in table:
+    if method.kind in ("discrete-gradient", "gonzalez", "processed") or "gradients" in table:
         left_out += ["driven", "driven-later"]
     return {name: steps for name, steps in STEPS.items() if name not in left_out}
 
@@ -67,6 +67,8 @@ def is_unique(method):
     if method.explicit or method.kind == "discrete-gradient":
         # That of the discrete gradient has the derivative δ²/4 at most, δ < 1.1.
         return True
+    if method.kind == "gonzalez":
+        return False
     a = method.tableau()[1]
     if method.kind == "rk":
         angle = method.tableau("a_theta")[1] if "a_theta" in method.table else a

@@ -149,6 +149,25 @@ def gauss(size):
     return nodes, rows
 
 
+def gonzalez(forces, q, p, h):
+    """Without the correction: a step that keeps the energy, with |Δz|² = h (Δθ ω̄ + Δω f).
+
+    That is what is left of the two lines of the step, the first times Δθ and the second times Δω.
+    """
+    a, b = q + h * p, p + h * forces.value(0, q)
+    for _ in range(12):
+        dq, dp, middle = a - q, b - p, (q + a) / 2
+        force = forces.value(0, middle)
+        gained = (b**2 - p**2) / 2 - forces.g * (a.cos() - q.cos())
+        way = dq**2 + dp**2 - h * (dq * (p + b) / 2 + dp * force)
+        by_angle = 2 * dq - h * ((p + b) / 2 + dp * forces.slope(middle) / 2)
+        by_velocity = 2 * dp - h * (dq / 2 + force)
+        jacobian = arb_mat([[-forces.value(0, a), b], [by_angle, by_velocity]])
+        change = jacobian.solve(arb_mat(2, 1, [gained, way]))
+        a, b = (a - change[0, 0]).mid(), (b - change[1, 0]).mid()
+    return a, b
+
+
 def series(forces, t, q, p, h, order):
     """Taylor's series of this order, by Picard's iteration."""
     flint.ctx.cap = order + 1
@@ -201,11 +220,13 @@ def run(table, scene, steps):
     states = []
     if table["kind"] == "multistep":
         return multistep(table, forces, t, q, p, h, steps)
-    tableau = None if table["kind"] in ("taylor", "formula") else Nystrom(table)
+    tableau = None if table["kind"] in ("taylor", "formula", "gonzalez") else Nystrom(table)
     for i in range(steps):
         now = t if table.get("time") == "never" else t + i * h
         if tableau:
             q, p = tableau.step(forces, now, q, p, h)
+        elif table["kind"] == "gonzalez":
+            q, p = gonzalez(forces, q, p, h)
         elif table["kind"] == "formula":
             q, p = lines(table["formula"], FUNCTIONS, q, p, h, lambda q: forces.value(now, q))
         else:

@@ -87,3 +87,46 @@ fn driven_steps_lead_where_they_should(method: &dyn AnyMethod) {
     });
 }
 each_general_method!(driven_steps_lead_where_they_should);
+
+/// Gonzalez's gradient of the energy is the midpoint's plus c Δz, and so is a step of his: Δθ =
+/// h (ω̄ + c Δω), Δω = h (f − c Δθ), with the force f half-way. Δθ times the first and Δω times the
+/// second add up to |Δz|² = h (ω̄ Δθ + f Δω), where c is gone; and c is such that H stays. These
+/// two hold to rounding: each has five terms of at most 1 that are rounded twice.
+///
+/// With the mean along a line, or Itoh's and Abe's, Δθ is h ω̄ alone. Both keep H, but they are
+/// other steps, also with one degree of freedom.
+///
+/// Catches: Gonzalez's name for the mean's steps; a correction along Δθ alone, or one that misses
+/// the energy.
+#[test]
+fn gonzalez_corrects_in_phase_space_and_the_mean_does_not() {
+    const ROUNDING: f64 = 10.0 * f64::EPSILON;
+    let energy = |z: Phase| 0.5 * z.omega * z.omega - z.theta.cos();
+    let swinging = |name| {
+        let known = known_answers::method(name).unwrap();
+        let first = known.answers.iter().filter(|it| it.scene.name == "swinging" && it.steps <= 2);
+        let states: Vec<Phase> = first.map(|answer| answer.state).collect();
+        (&known.name, [Phase { theta: 1.0, omega: 0.5 }, states[0], states[1]])
+    };
+    let (gonzalez, his) = swinging("Gonzalez");
+    let (mean, its) = swinging("Itoh-Abe");
+    assert_eq!([gonzalez.as_str(), mean.as_str()], ["gonzalez", "discrete-gradient"]);
+    for (states, in_phase_space) in [(his, true), (its, false)] {
+        for pair in states.windows(2) {
+            let [z, next] = [pair[0], pair[1]];
+            let (h, way, gain) = (0.125, next.theta - z.theta, next.omega - z.omega);
+            let mean = 0.5 * (z.omega + next.omega);
+            let force = -(0.5 * (z.theta + next.theta)).sin();
+            assert!((energy(next) - energy(z)).abs() < ROUNDING, "{pair:?} changes H");
+            let along_both = way * way + gain * gain - h * (mean * way + force * gain);
+            let along_the_angle = way - h * mean;
+            let [none, some] = match in_phase_space {
+                true => [along_both, along_the_angle],
+                false => [along_the_angle, along_both],
+            };
+            assert!(none.abs() < ROUNDING, "{none}");
+            // c is about f h²/24, and Δω a tenth.
+            assert!(some.abs() > 1e-7, "{some}");
+        }
+    }
+}

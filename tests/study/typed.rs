@@ -7,6 +7,7 @@ use std::fs;
 use pendula::arithmetic::sine::sin;
 use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact, method_named};
 use pendula_curves::kepler::{Ellipse, Kepler};
+use pendula_judge::known_answers;
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;
 use pendula_study::experiments::{
@@ -89,6 +90,8 @@ const TYPED: &[Typed] = &[
     ("other-systems", r"$h \approx 0.38$ s", "0.38", || {
         (144.0 * 0.05 / PAPER.frequency_squared().powi(3)).powf(0.2)
     }),
+    ("judging", "for 159 methods; then", "159", || known_answers::methods().len() as f64),
+    ("judging", "one of 172 known mistakes", "172", || known_answers::mistakes().len() as f64),
     ("other-systems", "gives $0.0258$ rad", "0.0258", precession),
     ("other-systems", "about 244 revolutions", "244", || TAU / precession()),
 ];

@@ -16,11 +16,13 @@ use crate::systems::{MeanForce, Measurable, RateOf, System};
 /// symplectic: the motion is on the right curve and late on it. A step evaluates the mean force,
 /// two sines, once in each sweep, and the force once to begin.
 ///
-/// With one degree of freedom the discrete gradients of Gonzalez, *J. Nonlinear Sci.* 6 (1996) 449,
-/// of Itoh and Abe, *J. Comput. Phys.* 76 (1988) 85, and the mean along a straight line are one and
-/// the same: R. I. McLachlan, G. R. W. Quispel, N. Robidoux, *Phil. Trans. R. Soc. A* 357 (1999)
-/// 1021. Also called the method of the average vector field; Hairer, Lubich, Wanner, *Geometric
-/// Numerical Integration*, Sect. V.5.
+/// With one degree of freedom the discrete gradient of Itoh and Abe, *J. Comput. Phys.* 76 (1988)
+/// 85, and the mean along a straight line are one and the same: R. I. McLachlan, G. R. W. Quispel,
+/// N. Robidoux, *Phil. Trans. R. Soc. A* 357 (1999) 1021. Also called the method of the average
+/// vector field; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sect. V.5. Gonzalez's,
+/// *J. Nonlinear Sci.* 6 (1996) 449, is another: it corrects the midpoint's gradient along the step
+/// in phase space, so that the angle does not move by the mean velocity. It conserves the energy as
+/// well; the known answers have it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct DiscreteGradient;
 
