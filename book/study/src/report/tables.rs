@@ -246,14 +246,24 @@ pub fn zoo() -> Table {
     table
 }
 
+/// The digits in which both ends of a band agree when they are rounded, three at most.
+///
+/// # Panics
+///
+/// If they agree in none.
+fn agreed(band: [f64; 2]) -> String {
+    let printed = |digits| band.map(|end| Significant(digits).print(end));
+    let alike = (1..=3).rev().map(printed).find(|[least, most]| least == most);
+    let [text, _] = alike.unwrap_or_else(|| panic!("no digit of {band:?} holds"));
+    text
+}
+
 /// What becomes of Störmer–Verlet's orbits at large steps.
 pub fn diffusion() -> Table {
     let header = ["K", "Δt (s)", "from 1 rad: ΔH (J)", "from 3 rad: ΔH (J)", "spread"];
     let mut table = Table::new(header);
     for row in diffusion::run() {
-        let drift = |drift: Option<f64>| {
-            drift.map_or_else(|| "escapes".to_string(), |drift| Significant(3).print(drift))
-        };
+        let drift = |drift: Option<[f64; 2]>| drift.map_or_else(|| "escapes".to_string(), agreed);
         table.push([
             row.k.to_string(),
             Fixed(4).print(standard_map::step(row.k)),
