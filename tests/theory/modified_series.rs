@@ -148,6 +148,19 @@ fn the_separatrix_splits_by_lazutkins_constant() {
     assert!((1e-17..1e-16).contains(&splitting::slope(0.2)));
 }
 
+/// What the book says of steps that are not small: that the splitting is a twelfth below its limit
+/// at x = 0.2, and a quarter at 0.6.
+///
+/// Catches: a limit that is taken for a law.
+#[test]
+fn at_long_steps_the_separatrix_splits_less_than_in_the_limit() {
+    let limit = |x: f64| 2.0 * splitting::LAZUTKIN / (x * x) * (-PI * PI / x).exp();
+    for (x, below) in [(0.2, 1.0 / 12.0), (0.6, 0.25)] {
+        let part = splitting::energy(x) / limit(x);
+        assert_relative_eq!(part, 1.0 - below, max_relative = 0.02);
+    }
+}
+
 // -------------------------------------------------------------------------------------------------
 // Level curves
 // -------------------------------------------------------------------------------------------------

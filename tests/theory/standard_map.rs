@@ -15,7 +15,7 @@
 //! 10⁴. So 8 orbits of 10⁶ steps distinguish 0.95 from 1.05 whatever the rounding: these tests do
 //! not depend on a single bit.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
 use pendula::fast::{Ensemble, InLanes};
@@ -214,6 +214,33 @@ fn far_above_the_diffusion_is_rechester_and_whites() {
     let [j1, j2, j3] = [-0.2767, -0.2429, 0.1148];
     let law = 1.0 - 2.0 * j2 * (1.0 - j2) - 2.0 * j1 * j1 + 2.0 * j3 * j3;
     assert_relative_eq!(rate, 0.5 * k * k * law, max_relative = 0.12);
+}
+
+/// Area alone forbids no orbit to spiral. At K = 6.9 there is an angle with K sin θ = −2π, hit at
+/// every step by an orbit that gains a turn a step in u each time, and the island about it travels
+/// along: the trace of a step there, 2 − K cos θ = −0.85, is between −2 and 2. The island is wider
+/// than 0.03 rad to either side; on it u strays from the orbit in its middle by a few times that.
+///
+/// θ and u are kept within a turn, which changes nothing for the map: after n steps they would be
+/// about πn² and 2πn, and rounding would throw the orbit off the island.
+///
+/// Catches: the old velocity in the drift, with which the island is gone; kicks of another size.
+#[rstest]
+fn an_orbit_may_spiral_for_ever(#[values(-1.145, -1.18)] theta: f64) {
+    let pendulum = pendulum(6.9);
+    let (mut z, mut turns) = (Phase::at_rest(theta), 0.0);
+    for n in 1..=1_000_000 {
+        z = SymplecticEuler.step(&pendulum, 0.0, STEP, z, &mut ());
+        let u = z.omega * STEP;
+        let whole = (u / TAU).round();
+        turns += whole;
+        z = Phase {
+            theta: z.theta - TAU * (z.theta / TAU).round(),
+            omega: (u - TAU * whole) / STEP,
+        };
+        let ahead = TAU * (turns - f64::from(n)) + z.omega * STEP;
+        assert!(ahead.abs() < 0.5, "{ahead} rad a step off after {n} steps");
+    }
 }
 
 // -------------------------------------------------------------------------------------------------
