@@ -2,8 +2,10 @@
 
 use std::fs;
 
+use pendula::arithmetic::sine::sin;
 use pendula::exact::Motion;
 use pendula::{Grid, Pendulum, Phase, method_named};
+use pendula_judge::{Claims, FromFn, judge};
 use pendula_study::claims::cell_id;
 use pendula_study::experiments::PaperMethod;
 use pendula_study::report::readme::{Picture, pictures};
@@ -24,6 +26,29 @@ fn the_headline_table_is_table_5() {
         let row = format!("| {:<16} | {stated:>10} | {measured:>14} |", method.title());
         assert!(readme.contains(&row), "the README lacks\n{row}");
     }
+}
+
+/// Of the README's function, written in Rust.
+///
+/// Catches: words of the judge that it no longer says.
+#[test]
+fn the_report_ends_as_the_readme_says() {
+    let verlet = FromFn(|g: f64, mut theta: f64, mut omega: f64, h: f64, n: u64| {
+        (0..n).map(move |_| {
+            omega -= h / 2.0 * g * sin(theta);
+            theta += h * omega;
+            omega -= h / 2.0 * g * sin(theta);
+            (theta, omega)
+        })
+    });
+    let report = judge(&verlet, Claims::order(2).symplectic().symmetric()).to_string();
+    let mut last = report.trim_end().lines().rev();
+    let (verdict, name) = (last.next().expect("a verdict"), last.next().expect("a name"));
+    let (name, how_nearly) = name.split_once(", ").expect("a name and how nearly it is that");
+    assert!(how_nearly.starts_with("to "), "{report}");
+    let readme = read("README.md").split_whitespace().collect::<Vec<_>>().join(" ");
+    let says = format!("`{name}`, and ends with `{verdict}`");
+    assert!(readme.contains(&says), "the README does not say {says}");
 }
 
 /// Catches: a number of claims that was not updated with the ledger, in the README or in the book.
