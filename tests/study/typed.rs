@@ -11,7 +11,7 @@ use pendula_judge::known_answers;
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;
 use pendula_study::experiments::{
-    choosing, long_run, small_angle, standard_map, tolerance, truncation,
+    beyond, choosing, long_run, small_angle, standard_map, tolerance, truncation,
 };
 use pendula_study::theory;
 
@@ -25,6 +25,9 @@ type Typed = (&'static str, &'static str, &'static str, fn() -> f64);
 
 const TYPED: &[Typed] = &[
     ("exact-motion", "falls after about 12 s", "12", || 0.25 * period(PI)),
+    ("exact-motion", "up to 3.1 rad, 6 steps", "6", || steps_of_the_mean(3.1)),
+    ("exact-motion", "it takes 7 to 9", "7", || steps_of_the_mean(3.141)),
+    ("exact-motion", "it takes 7 to 9", "9", || steps_of_the_mean(PI)),
     ("small-angle", "pendulum is 8° short", "8", || 180.0 - 3_f64.to_degrees()),
     ("lab", "0.35 s, where $x^2$ is 1.2:", "1.2", || x_squared(0.35)),
     ("pendulum", r"\approx 0.105$ rad", "0.105", || 4.0 / 1440_f64.sqrt()),
@@ -37,6 +40,8 @@ const TYPED: &[Typed] = &[
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
     ("choosing", "about 280 million", "2.8e2", || 86_400.0 / step_to_a_millionth() / 1e6),
     ("choosing", "about 40 000 periods", "4.0e4", || 86_400.0 / period(1.0)),
+    ("choosing", "at 1.6 and at 1.0 times", "1.6", || work_without_a_gradient(4)),
+    ("choosing", "at 1.6 and at 1.0 times", "1.0", || work_without_a_gradient(6)),
     ("choosing", "take RK4 about 28 000", "2.8e4", || hundred_swings("rk4")),
     ("choosing", "Störmer–Verlet about 94 000.", "9.4e4", || hundred_swings("stormer-verlet")),
     ("small-angle", "a step of about 0.01955 s", "0.01955", cancelling_step),
@@ -93,7 +98,17 @@ const TYPED: &[Typed] = &[
     ("judging", "for 159 methods; then", "159", || known_answers::methods().len() as f64),
     ("judging", "one of 172 known mistakes", "172", || known_answers::mistakes().len() as f64),
     ("other-systems", "gives $0.0258$ rad", "0.0258", precession),
-    ("other-systems", "about 244 revolutions", "244", || TAU / precession()),
+    ("other-systems", "itself turns by $0.0254$", "0.0254", precession_of_the_run),
+    ("other-systems", "once round in about 248", "248", || TAU / precession_of_the_run()),
+    ("speed", "up to 70 times as fast again", "70", || {
+        let code = measured_row("scenes", |cells| cells[0] == "RK4, from 1 rad");
+        let times = measured_rows("front").into_iter().filter(|cells| !cells[6].contains('*'));
+        times.map(|cells| number(&cells[7])).fold(0.0, f64::max) / number(&code[3])
+    }),
+    ("speed", "takes 3.0 to 5.6 times", "3.0", || over_the_library("heyoka", 4)[0]),
+    ("speed", "takes 3.0 to 5.6 times", "5.6", || over_the_library("heyoka", 4)[1]),
+    ("speed", "take 10 to 20 times", "10", || over_the_library("front", 5)[0]),
+    ("speed", "take 10 to 20 times", "20", || over_the_library("front", 5)[1]),
 ];
 
 /// x² = (ω₀h)².
@@ -183,6 +198,28 @@ fn hundred_swings(method: &str) -> f64 {
     costs[0].unwrap().evaluations as f64
 }
 
+/// The evaluations of Blanes and Moan's method of this order over those of the processed one: the
+/// median over the map's cells of long runs in which neither stands at the longest step that is
+/// trusted there.
+fn work_without_a_gradient(order: u32) -> f64 {
+    let [with, without] = ["processed", "blanes-moan"].map(|family| {
+        choosing::profile_of(method_named(&format!("{family}-{order}")).expect("a method"))
+    });
+    let mut ratios = Vec::new();
+    for periods in choosing::PERIODS.into_iter().filter(|periods| *periods > choosing::LONGEST) {
+        let [with, without] = [with, without].map(|profile| profile.over(periods));
+        for error in choosing::allowed() {
+            let both = [with.advice(error), without.advice(error)];
+            let [Some(with), Some(without)] = both else { continue };
+            if with.steps > 32 && without.steps > 32 {
+                ratios.push(without.evaluations as f64 / with.evaluations as f64);
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    ratios[ratios.len() / 2]
+}
+
 /// Symplectic Euler's energy error over RK4's in the long run.
 fn symplectic_euler_over_rk4() -> f64 {
     measured("T5.se.dH") / measured("T5.rk4.dH")
@@ -213,6 +250,54 @@ fn power_of_estimate(solver: usize) -> f64 {
 fn precession() -> f64 {
     let ellipse = Ellipse::new(&Kepler::new(1.0).unwrap(), 1.0, 0.6).unwrap();
     theory::other_systems::verlet_precession(&ellipse, ellipse.period() / 100.0).abs()
+}
+
+/// The same, as the run turns it.
+fn precession_of_the_run() -> f64 {
+    let centre = Kepler::new(1.0).unwrap();
+    let ellipse = Ellipse::new(&centre, 1.0, 0.6).unwrap();
+    beyond::precession(&centre, &ellipse, 100).abs()
+}
+
+/// The steps of the arithmetic–geometric mean from 1 and k', for a release at `theta_0` (rad),
+/// until the first number is the limit to two units in the last place.
+fn steps_of_the_mean(theta_0: f64) -> f64 {
+    let mut means = vec![(1.0_f64, (0.5 * theta_0).cos())];
+    for n in 0..12 {
+        let (a, g) = means[n];
+        means.push((0.5 * (a + g), (a * g).sqrt()));
+    }
+    let limit = means[12].0;
+    let there = |(a, _): &(f64, f64)| (a / limit - 1.0).abs() <= 2.0 * f64::EPSILON;
+    means.iter().position(there).unwrap() as f64
+}
+
+/// The cells of a table of `benches/measured.md`, row by row.
+fn measured_rows(table: &str) -> Vec<Vec<String>> {
+    let file = include_str!("../../benches/measured.md");
+    let (_, text) = file.split_once(&format!("<!-- ANCHOR: {table} -->\n")).expect(table);
+    let (text, _) = text.split_once("<!-- ANCHOR_END").expect(table);
+    let cells = |row: &str| row.trim_matches('|').split('|').map(|it| it.trim().into()).collect();
+    text.lines().skip(2).map(cells).collect()
+}
+
+fn measured_row(table: &str, is: impl Fn(&[String]) -> bool) -> Vec<String> {
+    measured_rows(table).into_iter().find(|cells| is(cells)).expect("a row")
+}
+
+/// 20 874: a time in a table of `benches/measured.md`.
+fn number(cell: &str) -> f64 {
+    cell.replace(' ', "").parse().expect("a number")
+}
+
+/// How many times as long as the library what is in this column takes, at least and at most, at
+/// errors of 10⁻⁶ and less.
+fn over_the_library(table: &str, column: usize) -> [f64; 2] {
+    let small = |cells: &Vec<String>| !["$10^{-2}$", "$10^{-4}$"].contains(&cells[1].as_str());
+    let rows = measured_rows(table).into_iter().filter(small);
+    let measured = rows.filter(|cells| cells[column] != "–");
+    let times = measured.map(|cells| number(&cells[column]) / number(&cells[3]));
+    times.fold([f64::INFINITY, 0.0], |[least, most], it| [least.min(it), most.max(it)])
 }
 
 /// The numbers in a text: 240 000 is one, and so is 2.4\cdot10^{-4}.

@@ -259,7 +259,8 @@ pub fn path(
 /// revolution of `steps` steps: the mean over 20 revolutions, from apocentre to apocentre, where
 /// the direction is steadiest.
 pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
-    let grid = Grid::new(ellipse.period() / steps as f64, 21 * steps).expect("a positive step");
+    // In long steps a revolution takes longer than a period.
+    let grid = Grid::new(ellipse.period() / steps as f64, 22 * steps).expect("a positive step");
     let mut apocentres = Vec::new();
     // r · v at the sample before.
     let mut before = 0.0;
