@@ -11,6 +11,7 @@
 //! ```
 
 pub mod double_double;
+pub(crate) mod fixed;
 #[cfg(feature = "ensemble")]
 #[doc(hidden)]
 pub mod lanes;

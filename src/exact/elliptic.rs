@@ -123,7 +123,7 @@ pub(super) struct Values {
 }
 
 impl Jacobi {
-    /// Enough for every k' ≥ 1e-150; no start that an f64 can represent has one below 1e-20.
+    /// One more than the smallest f64 needs.
     const STEPS: usize = 14;
 
     /// For the complementary modulus k', 0 < k' ≤ 1.

@@ -13,6 +13,7 @@ use rstest::rstest;
 const PERIODS: &str = include_str!("../data/period.csv");
 const TRAJECTORIES: &str = include_str!("../data/trajectory.csv");
 const MOTIONS: &str = include_str!("../data/motion.csv");
+const BESIDE_SEPARATRIX: &str = include_str!("../data/beside_separatrix.csv");
 
 // -------------------------------------------------------------------------------------------------
 // Tolerances
@@ -226,6 +227,42 @@ fn motions_are_the_references() {
         let tolerance = evaluation(&pendulum, &motion, expected.theta);
         assert_close(motion.at(row.number("t")), expected, tolerance, &row.line);
     }
+}
+
+/// Beside the separatrix k'² is the difference of two numbers that agree in up to 22 digits, and an
+/// error in it makes every quarter period wrong: the last times are after about 10¹⁰ of them.
+///
+/// Catches: a k'² that is right to 32 digits of 1 instead of its own, with which the first start is
+/// 1.2e-13 rad off at 10⁵ s, and the last times are wrong altogether; turns of the angle left in the
+/// half of which that difference is made.
+#[test]
+fn beside_the_separatrix_late_times_are_the_references() {
+    for row in Row::all(BESIDE_SEPARATRIX) {
+        let pendulum = Pendulum::new(row.number("gravity"), 1.0, 1.0).expect("legal");
+        let motion = motion(&pendulum, row.phase("theta0", "omega0"));
+        let expected = row.phase("theta", "omega");
+        let tolerance = evaluation(&pendulum, &motion, expected.theta);
+        assert_close(motion.at(row.number("t")), expected, tolerance, &row.line);
+    }
+}
+
+/// From θ = 0 with ω = 2ω₀ a pendulum is on the separatrix, and no start of f64s is from another
+/// angle, however small: there it goes over the top. The period 2K/(k ω₀) for k' = sin(θ/2)/k and
+/// ω₀ = 2, from K = ln(4/k') to all digits.
+///
+/// Catches: a side decided by a difference of rounded numbers; a k'² that underflows.
+#[rstest]
+fn only_from_the_bottom_can_a_start_be_on_the_separatrix(
+    #[values(1e-9, 1e-40, -1e-160, 1e-280)] theta: f64,
+) {
+    let motion = motion(&two_radians_a_second(), Phase { theta, omega: 4.0 });
+    assert_eq!(motion.kind(), MotionKind::Rotation);
+    let period = motion.period().expect("it goes over the top");
+    assert_relative_eq!(period, 8.0_f64.ln() - theta.abs().ln(), max_relative = f64::EPSILON);
+    // The period is rounded by half an ulp, and the bottom passed at 4 rad/s.
+    let turned = motion.at(period);
+    assert!((turned.theta - 2.0 * PI - theta).abs() <= 4.0 * half_ulp(period) + EVALUATION);
+    assert!((turned.omega - 4.0).abs() <= 4.0 * EVALUATION);
 }
 
 /// Catches: a gravity, start or time that enters wrongly, with references made by someone else.
