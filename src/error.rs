@@ -27,8 +27,11 @@ pub enum Error {
         /// The number of steps asked for; an f64, as it may exceed every integer type.
         steps: f64,
     },
-    /// No step, however small, meets the tolerance: the motion is singular there, or its rate is
-    /// not finite.
+    /// No step, however small, meets the tolerance: the motion ends or is singular there, or its
+    /// rate is not finite.
+    ///
+    /// That a motion ends is not always told so:
+    /// [`Adaptive`](crate::adaptive::Adaptive#what-it-cannot-see) says when.
     StepTooSmall {
         /// The time that was reached (s).
         t: f64,
@@ -89,9 +92,9 @@ impl fmt::Display for Error {
             ),
             Self::StepTooSmall { t, step } => write!(
                 f,
-                "at {t:?} s no step meets the tolerance, down to one of {step:?} s: the motion is \
-                 singular there, or its rate overflows; allow a larger tolerance, or choose units \
-                 of time and length in which g and L are nearer to 1"
+                "at {t:?} s no step meets the tolerance, down to one of {step:?} s: the motion \
+                 ends or is singular there, or its rate is not a finite number; end the run \
+                 before, allow a larger tolerance, or choose units in which numbers are nearer to 1"
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,

@@ -1,5 +1,7 @@
 //! What a walk asks of a method: steps whose size follows a tolerance.
 
+use core::cell::Cell;
+
 use super::Tolerance;
 use super::control::Controller;
 use crate::methods::runge_kutta::{Embedded, Interpolant};
@@ -125,13 +127,16 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
         Times { start, step, end: end_time }: Times,
         z: S::State,
     ) -> Option<(S::State, Self::Record)> {
-        let (end, stages) = self.attempt(system, start, step, z, memory.slope);
+        let watched = Watched { system, is_finite: Cell::new(true) };
+        let (end, stages) = self.attempt(&watched, start, step, z, memory.slope);
         let error = self.error(&stages, |rate| tolerance.error_norm(z, end, rate * step));
+        let end_slope = (error <= 1.0).then(|| self.end_slope(&watched, end_time, end, &stages));
+        let error = if watched.is_finite.get() { error } else { f64::NAN };
         let (accepted, factor) = memory.controller.judge(error);
         memory.h = step * factor;
-        accepted.then(|| {
-            memory.slope = self.end_slope(system, end_time, end, &stages);
-            (end, (stages, memory.slope))
+        end_slope.filter(|_| accepted).map(|slope| {
+            memory.slope = slope;
+            (end, (stages, slope))
         })
     }
 
@@ -144,6 +149,29 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
         (stages, end_slope): &Self::Record,
     ) -> Self::Dense {
         self.dense(system, start, step, z, stages, *end_slope)
+    }
+}
+
+/// A system that notes whether each rate that it was asked for is finite.
+///
+/// The error estimate would not tell: some stages have no weight in it, and after a stage at which
+/// the rate is infinite the next may be at an infinite state with a rate of zero.
+struct Watched<'a, S> {
+    system: &'a Counting<&'a S>,
+    is_finite: Cell<bool>,
+}
+
+impl<S: System<State: Components>> System for Watched<'_, S> {
+    type State = S::State;
+
+    #[inline]
+    fn rate(&self, t: f64, z: S::State) -> RateOf<S> {
+        let rate = self.system.rate(t, z);
+        // A product with 0 is NaN for what is not finite, and one sum tells of all.
+        let mut zero = 0.0;
+        z.for_each_component(z, rate, |_, _, rate| zero += 0.0 * rate);
+        self.is_finite.set(self.is_finite.get() && zero == 0.0);
+        rate
     }
 }
 

@@ -45,16 +45,50 @@ pub use steps::{AdaptiveSteps, Counts, Dense, Step};
 pub use symmetric::{Sample, SymmetricSteps};
 pub use tolerance::{SMALLEST_RELATIVE, Tolerance};
 
-use crate::error::Error;
+use crate::error::{Error, positive};
 use crate::integrate::Observer;
 use crate::systems::{Components, System};
 
 /// A method whose steps are chosen so that each is off by no more than a tolerance.
+///
+/// # What it cannot see
+///
+/// A step knows the rate at its stages alone. What happens between them is not noticed, and no
+/// error says so:
+///
+/// * *A pulse in the rate that is shorter than a step* may lie between two stages, above all where
+///   nothing else happens and the steps have grown. Say how long a step may be with
+///   [`max_step`](Self::max_step).
+/// * *The end of a motion*, such as that of ẋ = −1/(2x) at x = 0 or of ẋ = 1/(1 − t) at t = 1.
+///   Usually no step meets the tolerance there, and [`Error::StepTooSmall`] tells the time. But
+///   beyond the end these formulas have values too, and a step across it may be accepted by chance,
+///   more often with a coarse tolerance. Then the walk goes on along another motion, and its last
+///   state says nothing about yours. Let the rate be NaN where the motion is not defined, as √x and
+///   ln x are for a negative x: no step is accepted if the rate at one of its stages, or at its
+///   end, is not finite.
+///
+/// ```
+/// use pendula::Error;
+/// use pendula::adaptive::{Adaptive, Tolerance};
+/// use pendula::methods::DormandPrince;
+/// use pendula::systems::{Array, FromRate};
+///
+/// // x = √(1 − t), which ends at t = 1.
+/// let rate = |x: f64| if x > 0.0 { -0.5 / x } else { f64::NAN };
+/// let system = FromRate::new(|_t, x: Array<1>| Array([rate(x.0[0])]));
+/// let adaptive = Adaptive::new(DormandPrince, Tolerance::uniform(1e-3)?);
+/// let end = adaptive.integrate(&system, Array([1.0]), 0.0, 2.0, &mut ());
+/// let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
+/// assert!((t - 1.0).abs() < 0.01);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Adaptive<M> {
     method: M,
     tolerance: Tolerance,
     limit: u64,
+    /// The largest step (s).
+    longest: f64,
 }
 
 /// A million: a problem that takes more has too small a tolerance for f64, or is not for an
@@ -64,12 +98,21 @@ pub const STEP_LIMIT: u64 = 1_000_000;
 impl<M: Copy> Adaptive<M> {
     /// `method` with the error of each step within `tolerance`, in at most [`STEP_LIMIT`] attempts.
     pub const fn new(method: M, tolerance: Tolerance) -> Self {
-        Self { method, tolerance, limit: STEP_LIMIT }
+        Self { method, tolerance, limit: STEP_LIMIT, longest: f64::INFINITY }
     }
 
     /// The same with at most `attempts` steps, rejected ones included.
     pub const fn max_attempts(self, attempts: u64) -> Self {
         Self { limit: attempts, ..self }
+    }
+
+    /// The same with no step longer than `longest` (s), but for the last, which may be 1 % longer.
+    /// If the rate has pulses, choose it shorter than the shortest of them.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a step that is not finite and positive.
+    pub fn max_step(self, longest: f64) -> Result<Self, Error> {
+        Ok(Self { longest: positive("largest step (s)", longest)?, ..self })
     }
 
     /// The steps of `system` from `start` at time `from` (s) to time `until` (s), which may be the
@@ -96,8 +139,9 @@ impl<M: Copy> Adaptive<M> {
     /// the one that satisfied the observer, and what it cost.
     ///
     /// # Errors
-    /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where no step meets the tolerance, or the
-    /// system has no finite rate; [`Error::OutOfSteps`] after the allowed number of attempts.
+    /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where every step, however small, is off by
+    /// more than the tolerance or meets a rate that is not finite; [`Error::OutOfSteps`] after the
+    /// allowed number of attempts.
     pub fn integrate<S, O>(
         &self,
         system: &S,

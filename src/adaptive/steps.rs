@@ -283,12 +283,14 @@ where
 
     fn advance(&mut self) -> Result<StepOf<S, M>, Error> {
         let Self { t, z, until, .. } = *self;
-        let Adaptive { method, tolerance, limit } = self.adaptive;
+        let Adaptive { method, tolerance, limit, longest } = self.adaptive;
         loop {
             if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });
             }
             let proposed = method.propose(&self.system, &tolerance, &mut self.memory, t, z);
+            let fits = libm::fabs(proposed) <= longest;
+            let proposed = if fits { proposed } else { libm::copysign(longest, proposed) };
             // A step that would end just short of the end time is stretched to it, so that no tiny
             // step is left.
             let left = until - t;

@@ -230,11 +230,11 @@ fn motions_are_the_references() {
 }
 
 /// Beside the separatrix k'² is the difference of two numbers that agree in up to 22 digits, and an
-/// error in it makes every quarter period wrong: the last times are after about 10¹⁰ of them.
+/// error in it makes every quarter period wrong. The last times are after about 10¹⁰ of them.
 ///
 /// Catches: a k'² that is right to 32 digits of 1 instead of its own, with which the first start is
-/// 1.2e-13 rad off at 10⁵ s, and the last times are wrong altogether; turns of the angle left in the
-/// half of which that difference is made.
+/// 1.2e-13 rad off at 10⁵ s, and the last times are wrong altogether; a cosine of the angle without
+/// its turns.
 #[test]
 fn beside_the_separatrix_late_times_are_the_references() {
     for row in Row::all(BESIDE_SEPARATRIX) {

@@ -202,3 +202,98 @@ fn a_limit_is_kept<M: Controlled<Pendulum>>(method: M) {
     assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
 }
 each_controlled!(a_limit_is_kept);
+
+/// The rate is infinite once, at the n-th evaluation of the walk, and 1 otherwise, also at an
+/// infinite state: the step with that evaluation is not taken, and the walk goes on as if nothing
+/// had been.
+///
+/// Catches: a stage without weight in the error estimate, or the rate at the end of a step, that is
+/// not looked at: the step is taken although its rate is infinite, or the walk ends at its end.
+fn a_step_with_an_infinite_rate_is_not_taken<M: Embedded>(method: M) {
+    /// How often the first step is tried out before it begins.
+    const BEFORE: u64 = 2;
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let walk = |infinite: Option<u64>| {
+        let count = std::cell::Cell::new(0);
+        let law = Law(|_, _| {
+            count.set(count.get() + 1);
+            if infinite == Some(count.get()) { f64::INFINITY } else { 1.0 }
+        });
+        adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1.0, &mut ()).unwrap()
+    };
+    let (_, undisturbed) = walk(None);
+    assert_eq!(undisturbed.rejected, 0);
+    for n in BEFORE + 1..=undisturbed.evaluations {
+        let (end, counts) = walk(Some(n));
+        assert_eq!(counts.rejected, 1, "evaluation {n}");
+        assert!((end.y - 2.0).abs() < 1e-6, "evaluation {n}: {end:?}");
+    }
+}
+each_pair!(a_step_with_an_infinite_rate_is_not_taken);
+
+/// Motions that end, and whose rate is NaN beyond: x = √(x₀² − t), −ln(1 − t), ∛(x₀³ − 3t), and a
+/// fall whose formula has a root. Each walk past the end is an error, at every tolerance.
+///
+/// Catches: a NaN at a stage or at the end of a step that is accepted; a step across the end.
+fn the_end_of_a_motion_is_told_where_the_rate_is_no_number<M: Embedded>(method: M) {
+    type Rate = fn(f64, f64) -> f64;
+    let if_positive = |x: f64, rate: f64| if x > 0.0 { rate } else { f64::NAN };
+    let laws: [(&dyn Fn(f64, f64) -> f64, fn(f64) -> f64); 3] = [
+        (&|_, x| if_positive(x, -0.5 / x), |x| x * x),
+        (&|t, _| if_positive(1.0 - t, 1.0 / (1.0 - t)), |_| 1.0),
+        (&|_, x| if_positive(x, -1.0 / (x * x)), |x| x * x * x / 3.0),
+    ];
+    let root: Rate = |_, x| -x.sqrt() - 0.01;
+    let mut random = Random::new(5);
+    for n in 0..200 {
+        let (x, tol) = (random.between(0.3, 3.0), 10_f64.powf(random.between(-11.0, -1.0)));
+        let (past, adaptive) = (random.between(1.05, 3.0), Adaptive::new(method, tolerance(tol)));
+        for (law, end) in &laws {
+            let walk = adaptive.integrate(&Law(law), Number { y: x }, 0.0, past * end(x), &mut ());
+            assert!(matches!(walk, Err(Error::StepTooSmall { .. })), "{n}, {tol:e}: {walk:?}");
+        }
+        let walk =
+            adaptive.integrate(&Law(root), Number { y: x }, 0.0, 2.0 * past * x.sqrt(), &mut ());
+        assert!(matches!(walk, Err(Error::StepTooSmall { .. })), "{n}, {tol:e}: {walk:?}");
+    }
+}
+each_pair!(the_end_of_a_motion_is_told_where_the_rate_is_no_number);
+
+/// Catches: a largest step that is not kept, backwards in time either; one that changes the steps
+/// where it is longer than all of them; one of no length.
+fn no_step_is_longer_than_the_largest<M: Controlled<Pendulum>>(method: M) {
+    let adaptive = Adaptive::new(method, tolerance(1e-6));
+    let sizes = |adaptive: Adaptive<M>, until: f64| -> Vec<f64> {
+        let walk = adaptive.steps(&Pendulum::PAPER, START, 0.0, until).unwrap();
+        walk.map(|step| step.unwrap().size().abs()).collect()
+    };
+    for until in [5.0, -5.0] {
+        let any = sizes(adaptive, until);
+        assert_eq!(sizes(adaptive.max_step(1e3).unwrap(), until), any);
+        let short = sizes(adaptive.max_step(0.01).unwrap(), until);
+        let (last, others) = short.split_last().unwrap();
+        assert!(others.iter().all(|size| *size <= 0.01) && *last <= 0.0101, "{short:?}");
+        assert!((495..=510).contains(&short.len()), "{}", short.len());
+    }
+    for longest in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        assert!(matches!(adaptive.max_step(longest), Err(Error::Parameter { .. })));
+    }
+}
+each_controlled!(no_step_is_longer_than_the_largest);
+
+/// A pulse of 0.04 s in ten seconds where nothing else happens: the walk steps over it, as the
+/// documentation says, unless no step is longer than the pulse. Then each is off by a tolerance.
+///
+/// Catches: a largest step that is forgotten when the steps grow.
+fn a_largest_step_finds_a_pulse<M: Embedded>(method: M) {
+    let width: f64 = 0.02;
+    let pulse = Law(|t: f64, _| (-((t - 7.3) / width).powi(2)).exp());
+    let adaptive = Adaptive::new(method, tolerance(1e-9));
+    let end = |adaptive: Adaptive<M>| {
+        adaptive.integrate(&pulse, Number { y: 1.0 }, 0.0, 10.0, &mut ()).unwrap().0.y
+    };
+    let right = 1.0 + width * PI.sqrt();
+    assert_eq!(end(adaptive), 1.0);
+    assert!((end(adaptive.max_step(0.04).unwrap()) - right).abs() < 1e-6);
+}
+each_pair!(a_largest_step_finds_a_pulse);
