@@ -11,7 +11,6 @@
 //!
 //! [number]                         # or: how much?
 //! unit = "s"
-//! within = 0.1                     # of the right number
 //! because = "…"
 //! mistake = [{ is = "half-step", because = "…" }]
 //!
@@ -25,14 +24,14 @@
 //! ```
 //!
 //! What is right is not written here: the study computes it, by the question's id, and so it does
-//! the numbers of the mistakes. A question that does not have exactly one right answer stops the
-//! build. Without scripts its answer is folded below it; on paper the answers stand at the end of
-//! the chapter.
+//! the numbers of the mistakes, and how near to the right number an answer has to be. A question
+//! that does not have exactly one right answer stops the build. Without scripts its answer is
+//! folded below it; on paper the answers stand at the end of the chapter.
 
 use std::fmt::Write;
 
 use anyhow::{Context, Result, bail, ensure};
-use pendula_study::questions::Truth;
+use pendula_study::questions::{MISTAKEN, Truth, Within};
 use pulldown_cmark::Parser;
 use pulldown_cmark::html::push_html;
 use serde::Deserialize;
@@ -73,7 +72,6 @@ struct Choice {
 #[serde(deny_unknown_fields)]
 struct Number {
     unit: String,
-    within: f64,
     because: String,
     #[serde(default)]
     mistake: Vec<Mistake>,
@@ -175,8 +173,8 @@ impl Question {
         );
         match (truth, &self.number) {
             (Truth::Which(truth), None) if kinds[0] => self.which(truth, inline),
-            (Truth::Number { right, mistakes }, Some(number)) => {
-                self.how_much(number, *right, mistakes, inline)
+            (Truth::Number { right, within, mistakes }, Some(number)) => {
+                self.how_much(number, (*right, *within), mistakes, inline)
             }
             (Truth::Order(order), None) if kinds[2] => self.in_order(order, inline),
             _ => bail!("the study answers a question of another kind"),
@@ -204,7 +202,7 @@ impl Question {
             let answer = |mark: &str| {
                 format!(
                     "<li data-is=\"{value}\"{mark}><strong>{text}</strong> \
-                     <span>{because}</span></li>\n"
+                     <span class=\"because\">{because}</span></li>\n"
                 )
             };
             match is == right {
@@ -218,43 +216,45 @@ impl Question {
     fn how_much(
         &self,
         number: &Number,
-        right: f64,
+        (right, within): (f64, Within),
         mistakes: &[(&str, f64)],
         inline: &mut impl FnMut(&str) -> Result<String>,
     ) -> Result<Parts> {
-        let (id, unit, within) = (&self.id, inline(&number.unit)?, number.within);
-        ensure!(0.0 < within && within < 0.5, "within {within} of the number is no tolerance");
+        let (id, unit, counts) = (&self.id, inline(&number.unit)?, inert(&within.said()));
         ensure!(right > 0.0, "{right} has no positive ratio to an answer");
         same(
             mistakes.iter().map(|(name, _)| *name),
             number.mistake.iter().map(|mistake| &mistake.is[..]),
         )?;
-        let range = |value: f64| (value * (1.0 - within), value * (1.0 + within));
-        let mut ranges = vec![("right", range(right))];
+        let mut ranges = vec![("right", within.range(right))];
         let mut parts = Parts { kind: "number", ..Parts::default() };
         parts.controls = format!(
             "<label><input type=\"text\" inputmode=\"decimal\" autocomplete=\"off\" size=\"9\" \
-             name=\"{id}\"> {unit}</label>\n"
+             name=\"{id}\"> {unit} <span class=\"counts\">({counts})</span></label>\n"
         );
-        let mut answer = |value: f64, mark: &str, because: &str| -> Result<String> {
-            let ((low, high), because) = (range(value), inline(because)?);
-            let shown = rounded(value);
+        let mut answer = |value: f64, within: Within, mark: &str, why: &str| -> Result<String> {
+            let ([low, high], why) = (within.range(value), inline(why)?);
+            let shown = match within {
+                Within::Count(_) => format!("{value}"),
+                Within::Percent(_) => rounded(value),
+            };
             Ok(format!(
                 "<li data-low=\"{low}\" data-high=\"{high}\"{mark}>\
                  <strong>{shown} {unit}.</strong> \
-                 <span>{because}</span></li>\n"
+                 <span class=\"because\">{why}</span></li>\n"
             ))
         };
-        parts.right = answer(right, " data-right", &number.because)?;
+        parts.right = answer(right, within, " data-right", &number.because)?;
         for &(name, value) in mistakes {
             ensure!(value > 0.0, "the mistake {name} gives {value}");
             let because = number.mistake.iter().find(|mistake| mistake.is == name);
-            parts.wrong += &answer(value, "", &because.context("no such mistake")?.because)?;
-            ranges.push((name, range(value)));
+            let because = &because.context("no such mistake")?.because;
+            parts.wrong += &answer(value, MISTAKEN, "", because)?;
+            ranges.push((name, MISTAKEN.range(value)));
         }
-        ranges.sort_by(|(_, one), (_, other)| one.0.total_cmp(&other.0));
+        ranges.sort_by(|(_, one), (_, other)| one[0].total_cmp(&other[0]));
         for pair in ranges.windows(2) {
-            let [(one, (_, high)), (other, (low, _))] = pair else { unreachable!("two of them") };
+            let [(one, [_, high]), (other, [low, _])] = pair else { unreachable!("two of them") };
             ensure!(high < low, "the numbers {one} and {other} are within the tolerance");
         }
         Ok(parts)
@@ -286,7 +286,7 @@ impl Question {
         let (inert_order, because) = (inert(&order.join(" ")), inline(because)?);
         parts.right = format!(
             "<li data-order=\"{inert_order}\" data-right><strong>{}.</strong> \
-             <span>{because}</span></li>\n",
+             <span class=\"because\">{because}</span></li>\n",
             texts.join(", ")
         );
         for Pair { before, after, because } in &self.pair {
@@ -300,7 +300,8 @@ impl Question {
             let (before, after, because) = (inert(before), inert(after), inline(because)?);
             writeln!(
                 parts.wrong,
-                "<li data-before=\"{before}\" data-after=\"{after}\"><span>{because}</span></li>"
+                "<li data-before=\"{before}\" data-after=\"{after}\">\
+                 <span class=\"because\">{because}</span></li>"
             )?;
         }
         // Whoever has each item after its neighbour has them all in order.
@@ -342,13 +343,18 @@ mod tests {
     use super::super::typeset::tests::shown;
     use super::*;
 
+    fn number(right: f64, within: Within, twice: f64) -> Truth {
+        Truth::Number { right, within, mistakes: vec![("twice", twice)] }
+    }
+
     fn truth(id: &str) -> Option<Truth> {
         Some(match id {
             "which" => Truth::Which(vec![("a", false), ("b", true)]),
             "both" => Truth::Which(vec![("a", true), ("b", true)]),
             "none" => Truth::Which(vec![("a", false), ("b", false)]),
-            "number" => Truth::Number { right: 0.25, mistakes: vec![("twice", 0.5)] },
-            "near" => Truth::Number { right: 0.25, mistakes: vec![("twice", 0.26)] },
+            "number" => number(0.25, Within::Percent(2.0), 0.5),
+            "count" => number(1001.0, Within::Count(1), 2000.0),
+            "near" => number(0.25, Within::Percent(2.0), 0.28),
             "order" => Truth::Order(vec!["x", "y", "z"]),
             _ => return None,
         })
@@ -362,7 +368,7 @@ mod tests {
     const CHOICES: &str = "ask = \"*Which* of {{five}}?\"\n\
         [[choice]]\nis = \"a\"\ntext = \"`a`\"\nbecause = \"No: [why](rk4.md#why).\"\n\
         [[choice]]\nis = \"b\"\ntext = \"b\"\nbecause = \"Yes.\"\n";
-    const NUMBER: &str = "ask = \"How much?\"\n[number]\nunit = \"s\"\nwithin = 0.1\n\
+    const NUMBER: &str = "ask = \"How much?\"\n[number]\nunit = \"s\"\n\
         because = \"So.\"\nmistake = [{ is = \"twice\", because = \"Twice.\" }]\n";
     const ORDER: &str = "ask = \"In which order?\"\nbecause = \"By cost.\"\n\
         [[item]]\nis = \"y\"\ntext = \"Y\"\n[[item]]\nis = \"z\"\ntext = \"Z\"\n\
@@ -382,14 +388,19 @@ mod tests {
         assert_eq!(form.matches("data-right").count(), 1);
     }
 
-    /// Catches: a tolerance that is not about the number that was computed.
+    /// Catches: a tolerance that is not about the number that was computed, or that the reader is
+    /// not told; a count of which digits are left out.
     #[test]
     fn a_number_has_its_range() {
-        let Set { form, answer } = form(&format!("id = \"number\"\n{NUMBER}")).unwrap();
-        assert!(answer.contains("data-low=\"0.225\" data-high=\"0.275"), "{answer}");
+        let Set { form: page, answer } = form(&format!("id = \"number\"\n{NUMBER}")).unwrap();
+        assert!(answer.contains("data-low=\"0.245\" data-high=\"0.255"), "{answer}");
         let answer = shown(&answer);
         assert!(answer.contains("0.250 s.") && answer.contains("So."), "{answer}");
-        assert!(form.contains("data-low=\"0.45\""), "{form}");
+        assert!(page.contains("data-low=\"0.45\"") && shown(&page).contains("within 2 % counts"));
+        let Set { form: page, answer } = form(&format!("id = \"count\"\n{NUMBER}")).unwrap();
+        assert!(answer.contains("data-low=\"1000\" data-high=\"1002\""), "{answer}");
+        assert!(shown(&answer).contains("1001 s."), "{answer}");
+        assert!(shown(&page).contains("1 more or less counts"), "{page}");
     }
 
     /// Catches: items in the order in which they are written; a pair without its sentence.
@@ -398,7 +409,9 @@ mod tests {
         let Set { form, answer } = form(&format!("id = \"order\"\n{ORDER}")).unwrap();
         assert!(answer.contains("<strong>X, Y, Z.</strong>"), "{answer}");
         assert!(
-            form.contains("<li data-before=\"z\" data-after=\"y\"><span>Z is dearest."),
+            form.contains(
+                "<li data-before=\"z\" data-after=\"y\"><span class=\"because\">Z is dearest."
+            ),
             "{form}"
         );
     }
@@ -428,7 +441,6 @@ mod tests {
     #[case(CHOICES, "is = \"b\"", "is = \"c\"", "the study computes")]
     #[case(CHOICES, "*Which*", "a\\n\\nb", "more than one paragraph")]
     #[case(NUMBER, "is = \"twice\"", "is = \"thrice\"", "the study computes")]
-    #[case(NUMBER, "within = 0.1", "within = 0", "no tolerance")]
     #[case(
         ORDER,
         "before = \"y\"\nafter = \"x\"",

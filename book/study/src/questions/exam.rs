@@ -8,7 +8,7 @@ use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate};
 use pendula_curves::kepler::{Ellipse, Kepler};
 
-use super::{Compute, Truth};
+use super::{Compute, Truth, Within};
 
 /// The chapter's questions.
 pub const QUESTIONS: &[(&str, Compute)] = &[
@@ -143,6 +143,8 @@ fn thousand_times() -> Truth {
     let shorter = |power: f64| libm::pow(LONGER, growth / power);
     Truth::Number {
         right: shorter(power),
+        // The fifth root of 1000: who knows that 4⁵ is 1024 is off by half a per cent.
+        within: Within::Percent(1.0),
         mistakes: vec![
             ("state", shorter(Rk4.info().order.into())),
             ("step", shorter(power + 1.0)),
@@ -273,6 +275,8 @@ fn twice_as_high() -> Truth {
     let right = vanishing(0.05) / vanishing(0.1);
     Truth::Number {
         right,
+        // Twice, but for the steps being whole numbers of a run, and for the next order.
+        within: Within::Percent(1.0),
         mistakes: vec![("square", right * right), ("same", 1.0), ("inverse", 1.0 / right)],
     }
 }
@@ -352,6 +356,8 @@ fn allowance() -> Truth {
     };
     Truth::Number {
         right: work(power, growth),
+        // A hundred, but for the measured powers, which are off by less than this.
+        within: Within::Percent(1.0),
         mistakes: vec![
             ("grows", work(power, 1.0)),
             ("in-proportion", work(1.0, growth)),

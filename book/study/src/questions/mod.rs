@@ -33,6 +33,8 @@ pub enum Truth {
     Number {
         /// What a reader should answer.
         right: f64,
+        /// How far from it an answer may be.
+        within: Within,
         /// What each mistake gives in its place.
         mistakes: Vec<(&'static str, f64)>,
     },
@@ -60,6 +62,39 @@ impl Truth {
     pub fn nearest(measured: f64, choices: &[(&'static str, f64)]) -> Self {
         let is_it = |expected: f64| libm::log(measured / expected).abs() < 0.1;
         Self::Which(choices.iter().map(|&(name, expected)| (name, is_it(expected))).collect())
+    }
+}
+
+/// How far from the right number an answer still counts as right. Each question has its own, for a
+/// reason that stands beside it: so much that whoever works with the numbers of the question, in
+/// the head or to two digits, is right, and no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Within {
+    /// So many per cent of it.
+    Percent(f64),
+    /// So many more or fewer, of what is counted.
+    Count(u32),
+}
+
+/// How near (per cent) to the number of a mistake an answer is taken for that mistake.
+pub const MISTAKEN: Within = Within::Percent(10.0);
+
+impl Within {
+    /// From where to where an answer counts.
+    pub fn range(self, number: f64) -> [f64; 2] {
+        let off = match self {
+            Self::Percent(percent) => percent / 100.0 * number,
+            Self::Count(count) => count.into(),
+        };
+        [number - off, number + off]
+    }
+
+    /// What the reader is told, beside the field.
+    pub fn said(self) -> String {
+        match self {
+            Self::Percent(percent) => format!("within {percent} % counts"),
+            Self::Count(count) => format!("{count} more or less counts"),
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::systems::Damped;
 use pendula::{Grid, Pendulum, Phase, integrate};
 
-use super::{Compute, Truth};
+use super::{Compute, Truth, Within};
 use crate::experiments::{STEPS, convergence};
 
 /// The chapter's questions.
@@ -61,6 +61,9 @@ fn change() -> Truth {
     let factor = (old - truth) / (new - truth);
     Truth::Number {
         right: CHANGE * (new - truth) / (old - new),
+        // A third of the change, if the old error is four times the new one, which it is to much
+        // less than this.
+        within: Within::Percent(1.0),
         mistakes: vec![
             ("all", CHANGE),
             ("quarter", CHANGE / factor),

@@ -7,7 +7,7 @@ use pendula::exact::period;
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
 use pendula_curves::shapes;
 
-use super::{Compute, Truth};
+use super::{Compute, Truth, Within};
 
 /// The chapter's questions.
 pub const QUESTIONS: &[(&str, Compute)] = &[
@@ -43,6 +43,8 @@ fn longer_rod() -> Truth {
     let factor = right / STEP;
     Truth::Number {
         right,
+        // Exactly twice: nothing has to be rounded.
+        within: Within::Percent(1.0),
         mistakes: vec![("same", STEP), ("length", STEP * LENGTH), ("inverse", STEP / factor)],
     }
 }

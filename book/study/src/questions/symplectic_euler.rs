@@ -7,7 +7,7 @@ use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, SymplecticEuler, integrate};
 use pendula_curves::shapes;
 
-use super::{Compute, Truth};
+use super::{Compute, Truth, Within};
 
 /// The chapter's questions.
 pub const QUESTIONS: &[(&str, Compute)] = &[
@@ -53,6 +53,8 @@ fn longer() -> Truth {
     let longer = DURATIONS[1] / DURATIONS[0];
     Truth::Number {
         right: long / short,
+        // Once as large. What the longer run finds besides lies between the steps of the shorter.
+        within: Within::Percent(1.0),
         mistakes: vec![("steady", longer), ("random", libm::sqrt(longer))],
     }
 }

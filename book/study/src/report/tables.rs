@@ -11,7 +11,7 @@ use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{
     PaperMethod, STEPS, Study, beyond, diffusion, enclosure, standard_map, work,
 };
-use crate::questions::{self, Truth};
+use crate::questions::{self, Truth, Within};
 
 /// The numbers of the tables that the paper prints and the study measures.
 pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
@@ -296,23 +296,30 @@ pub fn enclosure() -> Table {
     table
 }
 
-/// What is right in each question of the book, and the numbers to which mistakes lead.
+/// What is right in each question of the book, from where to where a number counts, and the numbers
+/// to which mistakes lead.
 pub fn questions() -> Table {
-    let mut table = Table::new(["Question", "right", "mistakes"]);
+    let mut table = Table::new(["Question", "right", "counts", "mistakes"]);
     let number = |value: f64| Significant(3).print(value);
     for (id, truth) in questions::all() {
+        let mut counts = String::new();
         let (right, mistakes) = match truth() {
             Truth::Which(choices) => {
                 let right = choices.into_iter().filter(|(_, is_right)| *is_right);
                 (right.map(|(name, _)| name).collect::<Vec<_>>().join(" and "), Vec::new())
             }
-            Truth::Number { right, mistakes } => {
+            Truth::Number { right, within, mistakes } => {
+                counts = within.range(right).map(|end| Significant(4).print(end)).join(" to ");
                 let mistake = |(name, wrong)| format!("{name} {}", number(wrong));
-                (number(right), mistakes.into_iter().map(mistake).collect())
+                let right = match within {
+                    Within::Count(_) => right.to_string(),
+                    Within::Percent(_) => number(right),
+                };
+                (right, mistakes.into_iter().map(mistake).collect())
             }
             Truth::Order(items) => (items.join(", "), Vec::new()),
         };
-        table.push([format!("`{id}`"), right, mistakes.join(", ")]);
+        table.push([format!("`{id}`"), right, counts, mistakes.join(", ")]);
     }
     table
 }
