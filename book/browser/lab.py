@@ -209,6 +209,36 @@ def test_address(tab, book):
     assert [lab.value(key) for key in ("dt", "theta0", "g")] == [0.01, 1, 9.81]
 
 
+# Addresses, and what of each is not understood.
+DOUBTFUL = [
+    ("#system=foo&dt=-1", "the system, Step Δt"), ("#m=rk4,rkx&theta0=1", "the methods"),
+    ("#m=rk4&theta0=&g=1e9", "Angle θ₀, Gravity g"), ("#m=rk4&gamma=1", "Drive γ"),
+    ("#m=rk4&colour=red&__proto__=1", "a name that is none"), ("#bounded/9", "the step"),
+    ("#m=rk4&speed=3&scale=cubic&until=-1&lesson=x&step=7&pin=m%3Drk4",
+     "the speed, the scale, the end, the lesson, the step, the pinned run"),
+    ("#m=rk4&pin=m%3Drk4%26dt%3D7%26steps%3D5", "the pinned run"), ("#bounded/x", "the step"),
+    ("#nothing-of-this", "all of it"), ("#m=rk4&dt=0.02&speed=2", ""), ("#bounded/2", ""),
+    ("#m=rk4&pin=m%3Drk4%26dt%3D0.5%26steps%3D5", ""), ("#what-would-fool-us", ""), ("#", ""),
+]
+
+
+def test_doubtful_address(lab):
+    """Catches: an address of which something is passed over in silence, or which is doubted though
+    all of it counts."""
+    lab.stop()
+    for address, doubts in DOUBTFUL:
+        lab.run("lab.begin()")
+        lab.run("lab.follow(given)", address)
+        [said] = lab.texts(".below > .said")
+        told = f"Not understood in the address, and left as usual: {doubts}." if doubts else ""
+        assert said == told, (address, said)
+    # Until the scene is set anew.
+    lab.run("lab.follow(given)", "#dt=-1")
+    assert "Step Δt" in lab.texts(".below > .said")[0]
+    lab.run("lab.again()")
+    assert "Not understood" not in lab.texts(".below > .said")[0]
+
+
 def test_lessons_by_name(tab, book):
     """Each lesson has an address, which brings the lab from far below, too."""
     for width in (TELEPHONE, DESK):
@@ -302,6 +332,18 @@ def test_chapters(tab, book):
         for page in [*pages, PAGE]:
             still.open(page)
             assert still.run(STILL), page
+
+
+def test_without_webassembly(tab, book):
+    """Catches: a page with scripts and no WebAssembly that says that with scripts the lab is there,
+    or how to use it."""
+    tab.page.add_init_script("delete globalThis.WebAssembly")
+    for page in [PAGE, "forward-euler.html"]:
+        tab.open(page)
+        assert tab.run(STILL), page
+        shown = tab.run("document.querySelector('main').innerText")
+        assert "and WebAssembly" in shown and "With scripts" not in shown, page
+        assert "beside the picture" not in shown, page
 
 
 def test_chapters_at_rest(tab, book):

@@ -49,8 +49,8 @@ def test_steps(tab, lab):
         if compares:
             assert abs(lab.run("lab.pin.kept.steps * lab.pin.dt") / compares - 1) < 0.01, here
         if k + 1 < len(walk):
-            turn(lab, "next")
-    assert lab.run("all('.beside .next')[0].ariaDisabled") == "true"
+            turn(lab, "forward")
+    assert lab.run("all('.beside .forward')[0].ariaDisabled") == "true"
     turn(lab, "back")
     name, i, _, (words, changes, _) = walk[-2]
     here = f"#{name}/{i + 1}"
@@ -72,15 +72,26 @@ BOXES = """['.stage canvas', '.beside', '.sheets'].map(part => (({x, y, width, h
     [x, y, x + width, y + height])(all(part)[0].getBoundingClientRect()))"""
 
 
+# Whether the words lie over what is no part of them.
+COVERS = """(card => [...document.querySelectorAll('.lab .below *')].some(one => {
+    const box = one.getBoundingClientRect();
+    return box.width && Math.min(box.bottom, card.bottom) - Math.max(box.top, card.top) > 1
+        && Math.min(box.right, card.right) - Math.max(box.left, card.left) > 1;
+}))(all('.beside')[0].getBoundingClientRect())"""
+
+
 def test_beside(tab, lab):
-    """On a desk the words are beside the picture, and stay in sight; on a telephone they are below
-    it, before the plots; they are announced politely; without scripts and on paper they stand in
-    the chapter."""
+    """On a desk the words are beside the picture, and stay in sight until the table comes, over
+    which they do not lie; on a telephone they are below the picture, before the plots; they are
+    announced politely; without scripts and on paper they stand in the chapter."""
     (_, top, right, _), (x, y, _, _), _ = lab.run(BOXES)
     assert x >= right and abs(y - top) < 60
     lab.run("all('.sliders')[0].scrollIntoView({behavior: 'instant'})")
     _, (_, y, _, bottom), _ = lab.run(BOXES)
     assert 0 <= y < bottom <= 900
+    for part in ["table", ".digits", ".said"]:
+        lab.run("all(given)[0].scrollIntoView({behavior: 'instant', block: 'start'})", part)
+        assert not lab.run(COVERS), part
     assert lab.run("all('.beside .words')[0].ariaLive") == "polite"
     assert not tab.run("document.querySelector('.lesson-steps').checkVisibility()")
     tab.screen(TELEPHONE)

@@ -2,6 +2,7 @@
 axe-core see (contrast, accessible names, roles, ids, tables, landmarks), and that nothing lies over
 a control."""
 
+import re
 from pathlib import Path
 
 from axe_playwright_python.base import AXE_SCRIPT
@@ -130,6 +131,39 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
         findings += [f"lacks {page}: {title}"] if title not in titles else []
         findings += [f"lacks the end of {page}: {last}"] if last not in text else []
     return [f"print.html, on paper: {finding}" for finding in findings]
+
+
+# The classes that mdBook gives to parts of a chapter, and those that its style sheets have within a
+# listing alone.
+OF_MDBOOK = {"boring", "hide-boring", "header", "table-wrapper", "checkbox-img", "checkbox-label",
+             "img-wrapper", "buttons", "result"}
+# How a script names a class.
+NAMED = [r"classList\.(?:toggle|add|remove)\('([^']+)'", r"className: '([^']+)'",
+         r"className = '([^']+)'", r"""class="([^"$]+)\"""", r"class: '([^']+)'",
+         r"button\('([\w-]+)'"]
+
+
+def test_classes(book):
+    """Catches: a class of ours that mdBook's style sheets have for something else, as they float
+    what is `right`."""
+    sheets = " ".join(sheet.read_text() for sheet in (book.folder / "css").glob("*.css"))
+    taken = {name for rule in re.findall(r"([^{}]+)\{", re.sub(r"(?s)/\*.*?\*/", "", sheets))
+             for name in re.findall(r"\.([A-Za-z_][\w-]*)", rule)}
+    used: dict[str, str] = {}
+    scripts = [*(book.folder / "theme").rglob("*.js"), *(book.folder / "assets").rglob("*.js")]
+    for script in scripts:
+        if "katex" in script.parts or "wasm" in script.name:
+            continue
+        for pattern in NAMED:
+            for names in re.findall(pattern, script.read_text()):
+                used |= dict.fromkeys(names.split(), script.name)
+    for page in book.chapters:
+        if not page.startswith("tests/"):
+            text = book.text(page).partition("<main>")[2].rpartition("</main>")[0]
+            for names in set(re.findall(r'class="([^"]*)"', text)):
+                used |= dict.fromkeys(names.split(), page)
+    assert len(taken) > 80 and len(used) > 100
+    assert {name: used[name] for name in taken & used.keys() - OF_MDBOOK} == {}
 
 
 # CSS pixels, from a small telephone to a wide screen. From 1080 on the contents may stand beside

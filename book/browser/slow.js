@@ -114,6 +114,8 @@ cost => {
                 if (JSON.stringify(again) !== JSON.stringify(scene)) {
                     faults.add(`its address ${own} is another scene`);
                 }
+                const doubts = lab.addresses.doubts(`#${own}`);
+                if (doubts.length) faults.add(`its address ${own} is not understood: ${doubts}`);
                 for (const [key, value] of Object.entries(scene)) {
                     if (Object.is(value, -0)) faults.add(`${key} is −0, which no address says`);
                 }

@@ -84,10 +84,21 @@ class Lab extends Run {
             live.addEventListener(event, take, { once: true, capture: true });
     }
 
-    // Goes to the scene in an address, the page's own; returns whether there is one.
+    // Goes to the scene in an address, the page's own; returns whether there is one. What of it was
+    // not understood is said, in our own words: the address may be anybody's.
     follow(hash = location.hash) {
         const scene = this.addresses.scene(hash);
         if (scene) this.begin(scene);
+        const doubts = this.addresses.doubts(hash);
+        if (doubts.length) {
+            this.notice = [
+                `Not understood in the address, and left as usual: ${doubts.join(', ')}.`,
+                this.notice,
+            ]
+                .filter(Boolean)
+                .join(' ');
+            this.page.say('');
+        }
         return Boolean(scene);
     }
 

@@ -30,7 +30,7 @@ class Lessons {
         this.words = element('div', { class: 'words', 'aria-live': 'polite' });
         this.changed = element('p', { class: 'note changed' });
         this.back = button('back', 'Back', () => this.turn(-1));
-        this.next = button('next', 'Next', () => this.turn(1));
+        this.next = button('forward', 'Next', () => this.turn(1));
         this.set = button('set', 'Set the scene again', () => {
             const { lesson, step } = lab.scene;
             lab.lesson(lesson, step);
@@ -97,24 +97,26 @@ class Page {
         this.reading = new Reading(lab, [drawing.phase, ...plots]);
         this.live = markup`
             <div class="live" role="group">
-                <div class="bench">
-                    <div class="stage">${drawing.stage.canvas}</div>
-                    <div class="buttons">
-                        ${this.run}
-                        ${button('step', 'One step', () => lab.oneStep())}
-                        ${button('again', 'Start again', () => lab.again())}
-                        ${[this.time, this.slow]}
+                <div class="scene">
+                    <div class="bench">
+                        <div class="stage">${drawing.stage.canvas}</div>
+                        <div class="buttons">
+                            ${this.run}
+                            ${button('step', 'One step', () => lab.oneStep())}
+                            ${button('again', 'Start again', () => lab.again())}
+                            ${[this.time, this.slow]}
+                        </div>
                     </div>
-                </div>
-                ${whole ? this.lessons.beside : []}
-                <div class="rest">
-                    <div class="sheets">
-                        ${sheet(drawing.phase, this.orbit)}
-                        ${plots.map(plot => sheet(plot))}
-                        ${this.reading.box}
+                    ${whole ? this.lessons.beside : []}
+                    <div class="rest">
+                        <div class="sheets">
+                            ${sheet(drawing.phase, this.orbit)}
+                            ${plots.map(plot => sheet(plot))}
+                            ${this.reading.box}
+                        </div>
+                        ${whole ? lab.pin.live : []}
+                        ${this.controls.live}
                     </div>
-                    ${whole ? lab.pin.live : []}
-                    ${this.controls.live}
                 </div>
                 <div class="below">
                     ${this.numbers.table}

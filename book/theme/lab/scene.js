@@ -282,6 +282,48 @@ class Addresses {
         return scene;
     }
 
+    // The parts of an address, in words, of which nothing came into its scene: names that are none
+    // and values that are not allowed.
+    doubts(hash, more = []) {
+        const name = hash.replace(/^#/, '');
+        const [lesson, step = '1'] = name.split('/');
+        const has = (lesson, step) => isCount(number(step), this.lessons[lesson]?.length ?? 1);
+        if (Object.hasOwn(PRESETS, lesson)) return has(lesson, step) ? [] : ['the step'];
+        const scene = this.scene(hash);
+        // The address of a place on the page is none of the lab's.
+        if (!scene) return !name || document.getElementById(name) ? [] : ['all of it'];
+        const isMethod = (name, i, all) => this.known.includes(name) && all.indexOf(name) === i;
+        const parts = {
+            system: ['the system', text => Object.hasOwn(SYSTEMS, text)],
+            m: [
+                'the methods',
+                text => text.split(',').every(isMethod) && text.split(',').length <= this.places,
+            ],
+            speed: ['the speed', text => SPEEDS.includes(number(text))],
+            scale: ['the scale', text => ['linear', 'log'].includes(text)],
+            until: ['the end', text => number(text) >= 0 && number(text) <= LONGEST],
+            lesson: ['the lesson', text => Object.hasOwn(PRESETS, text)],
+            step: ['the step', text => has(scene.lesson, text)],
+            pin: [
+                'the pinned run',
+                text => Boolean(this.pinned(text)) && !this.doubts(text, ['steps']).length,
+            ],
+        };
+        for (const key of keysOf(scene.system)) {
+            const { label, least, most } = SLIDERS[key];
+            parts[key] = [label, text => number(text) >= least && number(text) <= most];
+        }
+        const found = new Set();
+        for (const [key, text] of new URLSearchParams(name)) {
+            if (more.includes(key)) continue;
+            const [words, fits] = Object.hasOwn(parts, key)
+                ? parts[key]
+                : [SLIDERS[key]?.label ?? 'a name that is none', () => false];
+            if (!fits(text)) found.add(words);
+        }
+        return [...found];
+    }
+
     // The scene and the steps of a pinned run, or null.
     pinned(text) {
         const steps = number(new URLSearchParams(text).get('steps'));
