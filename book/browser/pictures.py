@@ -1,5 +1,7 @@
-"""Saves pictures of every chapter and of the lab: check --pictures DIR"""
+"""Saves pictures of every chapter, of the lab and of a report: check --pictures DIR"""
 
+import os
+import re
 import sys
 from pathlib import Path
 
@@ -43,6 +45,30 @@ def save_lab(tab: Tab, path: Path):
     tab.page.screenshot(path=path, clip=clip, full_page=True)
 
 
+def save_report(tab: Tab, path: Path):
+    """What the judge says of the function that the chapter prints, changed as the chapter says. The
+    book has it in 16 colours (pngquant, optipng), so that its page stays within its weight."""
+    page = "judging.html"
+    tab.open(page)
+    program = tab.run("document.querySelector('code.language-python').textContent")
+    program = program[: program.index("print(report)")]
+    text = tab.run("document.querySelector('main').innerText")
+    new, old = re.search(r"Now write (.+) for (.+) in its first kick", text).groups()
+    assert old in program
+    root = Path(__file__).resolve().parents[2]
+    sys.path.insert(0, str(root / "book/judge/python"))
+    os.environ["PENDULA_PROGRAM"] = str(tab.book.program)
+    given = {}
+    exec(program.replace(old, new, 1), given)
+    tab.screen(1000)
+    tab.page.goto("about:blank")
+    tab.page.set_content(given["report"].html)
+    # Down to the first figure.
+    end = tab.run("document.querySelector('figure').getBoundingClientRect().bottom")
+    clip = {"x": 0, "y": 0, "width": 1000, "height": round(end) + 10}
+    tab.page.screenshot(path=path, clip=clip, full_page=True)
+
+
 def main():
     where = Path(sys.argv[1])
     where.mkdir(parents=True, exist_ok=True)
@@ -52,6 +78,7 @@ def main():
         with Tab(chromium, book) as tab:
             save_chapters(tab, where)
             save_lab(tab, where / "the-lab.png")
+            save_report(tab, where / "a-report.png")
     print(where)
 
 

@@ -3,7 +3,8 @@
 //! A listing, marked `rust`, runs as a test of the study. On the page it is a whole program: `fn
 //! main` and what ends it are hidden, and are copied with what is shown. What the listing prints
 //! stands below it. An excerpt of the library, marked `rust,ignore`, loses its common
-//! indentation, and lines that only the compiler needs are hidden.
+//! indentation, and hints to the compiler are hidden. Nothing else is, since readers write their
+//! own methods in the form that they see.
 
 use crate::{Pattern, pattern};
 
@@ -23,7 +24,7 @@ pub fn shown(block: &str) -> Option<String> {
     let below = if language == "rust" { output(&body) } else { None };
     let body = match language {
         "rust" => program(&body),
-        "rust,ignore" => flush_left(&body).into_iter().map(without_bookkeeping()).collect(),
+        "rust,ignore" => flush_left(&body).into_iter().map(without_hint).collect(),
         _ => flush_left(&body),
     };
     let mut page = format!("{first}\n");
@@ -47,20 +48,10 @@ fn flush_left(body: &[&str]) -> Vec<String> {
     body.iter().map(|line| line.get(common..).unwrap_or_default().to_string()).collect()
 }
 
-/// Hides what says nothing of a method: hints to the compiler, and a memory that it does not have,
-/// each with the blank line below it.
-fn without_bookkeeping() -> impl FnMut(String) -> String {
-    static BOOKKEEPING: Pattern = Pattern::new(|| {
-        pattern(r"^ *(?:#\[inline(?:\(\w+\))?\]|type Carry = \(\);|fn start\(.*\{\})$")
-    });
-    let mut was_hidden = false;
-    move |line| {
-        let is_hint = line.trim_start().starts_with("#[inline");
-        let is_hidden = BOOKKEEPING.is_match(&line) || (was_hidden && line.is_empty());
-        // Below a hint stands what it is about.
-        was_hidden = is_hidden && !is_hint && !line.is_empty();
-        if is_hidden { format!("# {line}") } else { line }
-    }
+/// Hides hints to the compiler, which a reader's own code can do without. Whatever it needs stays.
+fn without_hint(line: String) -> String {
+    static HINT: Pattern = Pattern::new(|| pattern(r"^ *#\[inline(?:\(\w+\))?\]$"));
+    if HINT.is_match(&line) { format!("# {line}") } else { line }
 }
 
 /// The listing as a program that compiles by itself, without what holds its output.
@@ -112,14 +103,14 @@ mod tests {
         }
     }
 
-    /// Catches: a hint, or a memory that is not there, in the way of a method's two lines; one that
-    /// is there and is hidden.
+    /// Catches: a hint in the way of a method's two lines; a line hidden without which a method of
+    /// the same form does not compile.
     #[test]
-    fn what_only_the_compiler_needs_is_hidden() {
+    fn hints_are_hidden_and_nothing_else() {
         let block = "```rust,ignore\ntype Carry = ();\n\nfn start(&self, _h: f64) {}\n\n\
-                     #[inline(always)]\nfn step() {\n\n    type Carry = State;\n}\n```";
-        let expected = "```rust,ignore\n# type Carry = ();\n# \n# fn start(&self, _h: f64) {}\n# \n\
-                        # #[inline(always)]\nfn step() {\n\n    type Carry = State;\n}\n```";
+                     #[inline(always)]\nfn step() {\n\n    #[inline]\n    fn f() {}\n}\n```";
+        let expected = "```rust,ignore\ntype Carry = ();\n\nfn start(&self, _h: f64) {}\n\n\
+                        # #[inline(always)]\nfn step() {\n\n#     #[inline]\n    fn f() {}\n}\n```";
         assert_eq!(shown(block).as_deref(), Some(expected));
     }
 
