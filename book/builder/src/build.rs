@@ -83,6 +83,7 @@ fn driven(
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();
     page_files::join(&pages, &html.additional_js)?;
+    page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
     each_page(&pages, |page| page_files::finished(page, &site))?;
     known_answers(root, &pages)?;

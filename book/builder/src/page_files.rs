@@ -44,9 +44,7 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
         if !script.starts_with(FOLDER) || script == Path::new(LOADER) {
             continue;
         }
-        let text = files::text(&pages.join(script))?;
-        let is_code = |line: &&str| !line.trim_start().starts_with("//");
-        bundle.extend(text.split_inclusive('\n').filter(is_code));
+        bundle += &without_comments(&files::text(&pages.join(script))?);
     }
     if bundle.is_empty() {
         return Ok(());
@@ -54,6 +52,36 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
     let file = pages.join(BUNDLE);
     let bundle = format!("'use strict';\n{{\n{bundle}}}\n");
     fs::write(&file, bundle).with_context(|| file.display().to_string())
+}
+
+/// Leaves the comments out of the book's style sheets and of the script of questions, in the folder
+/// of the pages: nobody who reads the book has to wait for them.
+pub fn lighten<P: AsRef<Path>>(pages: &Path, sheets: &[P], scripts: &[P]) -> Result<()> {
+    let scripts = scripts.iter().filter(|script| script.as_ref() == Path::new(QUESTION));
+    for file in sheets.iter().chain(scripts).map(|file| pages.join(file)) {
+        let text = files::text(&file)?;
+        let is_sheet = file.extension().is_some_and(|extension| extension == "css");
+        let light = if is_sheet { without_blocks(&text) } else { without_comments(&text) };
+        fs::write(&file, light).with_context(|| file.display().to_string())?;
+    }
+    Ok(())
+}
+
+/// A script without the lines that are comments.
+fn without_comments(script: &str) -> String {
+    let is_code = |line: &&str| !line.trim_start().starts_with("//");
+    script.split_inclusive('\n').filter(is_code).collect()
+}
+
+/// A style sheet without its comments; one that does not end is left as it is.
+fn without_blocks(sheet: &str) -> String {
+    let (mut light, mut rest) = (String::new(), sheet);
+    while let Some((before, after)) = rest.split_once("/*") {
+        let Some((_, after)) = after.split_once("*/") else { break };
+        light += before;
+        rest = after;
+    }
+    light + rest
 }
 
 /// The page with the files that it needs and its policy; `site` is the address of the book.
@@ -189,6 +217,17 @@ mod tests {
         join(pages.path(), &["theme/lab/words.js", "theme/lab/lab.js"]).unwrap();
         let bundle = fs::read_to_string(pages.path().join(BUNDLE)).unwrap();
         assert_eq!(bundle, "'use strict';\n{\nconst html = 1;\nconst lab = html;\n}\n");
+    }
+
+    /// Catches: a rule or a line of code lost with a comment, or a comment that is kept.
+    #[test]
+    fn comments_are_left_out_and_nothing_else() {
+        assert_eq!(without_blocks("a {}\n/* x { */\nb { /* y */ c: d }"), "a {}\n\nb {  c: d }");
+        assert_eq!(without_blocks("a {} /* b {}"), "a {} /* b {}");
+        assert_eq!(
+            without_comments("// x\nlet a = 1; // y\n  // z\nb();\n"),
+            "let a = 1; // y\nb();\n"
+        );
     }
 
     /// Catches: a page without a lab that loads it; another file or the text lost with it; a lab
