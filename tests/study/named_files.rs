@@ -95,7 +95,7 @@ fn the_table_of_the_house_is_that_of_the_manifests() {
         let cells: Vec<&str> = row.split('|').map(str::trim).collect();
         let manifest = top.join(cells[1].trim_matches('`')).join("Cargo.toml");
         let manifest = fs::read_to_string(manifest).unwrap();
-        let dependencies = manifest.split("[dependencies]").nth(1).unwrap();
+        let dependencies = manifest.split("[dependencies]").nth(1).unwrap_or_default();
         let dependencies = dependencies.split("dev-dependencies]").next().unwrap();
         let mut asked: Vec<&str> = dependencies
             .lines()

@@ -1,8 +1,6 @@
 //! What asking for outputs does: whether it changes the run, whether there are as many rows as were
 //! asked for, and how the time goes with their number.
 
-use std::time::Instant;
-
 use super::asked::{self, Asked, evenly, largest_of};
 use super::ladder::Ladder;
 use super::outputs::{OUTPUTS, rounded};
@@ -112,9 +110,10 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     let timed = |count: u32| -> Measured<(f64, Vec<f64>)> {
         let times = evenly(count, asked.scenes.duration);
         let request = ladder.run(asked.scenes.starts[0]).to(&times);
-        let begun = Instant::now();
+        let begun = asked.solver.clock();
         let states = asked.reply(&request)?.states;
-        Ok((begun.elapsed().as_secs_f64(), asked::errors(&request, &states)))
+        let took = asked.solver.clock().saturating_sub(begun);
+        Ok((took.as_secs_f64(), asked::errors(&request, &states)))
     };
     let patience = asked.solver.patience().as_secs_f64();
     let slow = |tenth, all| is_slow(tenth, all, patience);

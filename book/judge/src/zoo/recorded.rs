@@ -10,6 +10,7 @@
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fmt::Display;
+use std::time::Duration;
 
 use pendula::systems::Phase;
 
@@ -155,8 +156,12 @@ impl Solver for Recording<'_> {
         })
     }
 
-    fn patience(&self) -> std::time::Duration {
+    fn patience(&self) -> Duration {
         self.solver.patience()
+    }
+
+    fn clock(&self) -> Duration {
+        self.solver.clock()
     }
 }
 
@@ -244,7 +249,7 @@ impl Solver for Recorded<'_> {
     }
 
     /// Nobody waits for it.
-    fn patience(&self) -> std::time::Duration {
-        std::time::Duration::from_secs(1_000_000)
+    fn patience(&self) -> Duration {
+        Duration::from_secs(1_000_000)
     }
 }

@@ -3,6 +3,7 @@
 
 use core::cell::Cell;
 use core::f64::consts::{PI, TAU};
+use core::time::Duration;
 
 use pendula::adaptive::Tolerance;
 use pendula::methods::Dop853;
@@ -149,11 +150,18 @@ struct Slipping<M> {
     kept: Cell<f64>,
     /// The evaluations of all requests.
     counted: Cell<u64>,
+    /// The time that all requests have taken, by its own clock (ns): so much for each evaluation and
+    /// for each number that is moved, whatever the machine does.
+    spent: Cell<u64>,
 }
+
+/// What an evaluation takes (ns).
+const EVALUATION: u64 = 20;
 
 impl<M: Embedded> Slipping<M> {
     const fn new(method: M, slip: Slip) -> Self {
-        Self { method, slip, kept: Cell::new(0.0), counted: Cell::new(0) }
+        let (kept, counted, spent) = (Cell::new(0.0), Cell::new(0), Cell::new(0));
+        Self { method, slip, kept, counted, spent }
     }
 
     /// Runs `system` to the times of a request, and hands each step to `look`.
@@ -180,7 +188,7 @@ impl<M: Embedded> Slipping<M> {
         if is(StartWrapped) {
             z = wrapped(z);
         }
-        let mut times = request.times.clone();
+        let times = &request.times;
         let mut done = 0;
         let mut rows = Vec::new();
         while done < times.len() && times[done] == t {
@@ -296,10 +304,10 @@ impl<M: Embedded> Slipping<M> {
                 let late = is(OutputsLate).then_some(()).and(rows.last().copied());
                 let equal = is(EqualTimesDropped) && done > 0 && times[done - 1] == due;
                 rows.extend((!equal).then_some(late.unwrap_or(row)));
+                done += 1;
                 if is(TimesMoved) {
-                    times.remove(0);
-                } else {
-                    done += 1;
+                    // All times that are left move up by one place. To do so would take seconds.
+                    self.spend((times.len() - done) as u64);
                 }
                 if is(OutputsMoveTheRun) && !is_end {
                     moved = Some((due, row));
@@ -322,6 +330,10 @@ impl<M: Embedded> Slipping<M> {
             rows.iter_mut().for_each(|z| *z = wrapped(*z));
         }
         Ok(rows)
+    }
+
+    fn spend(&self, nanoseconds: u64) {
+        self.spent.set(self.spent.get() + nanoseconds);
     }
 
     /// The end of a run and its duration (s).
@@ -399,6 +411,7 @@ impl<M: Embedded> Solver for Slipping<M> {
         }
         let states = self.run(&system, request, &mut |_| {})?;
         let evaluations = system.evaluations.get();
+        self.spend(EVALUATION * evaluations);
         let before = self.counted.replace(self.counted.get() + evaluations);
         let kept = if self.slip == Slip::CountKept { before } else { 0 };
         Ok(Reply { states, evaluations: Some(kept + evaluations) })
@@ -425,6 +438,10 @@ impl<M: Embedded> Solver for Slipping<M> {
             }
         })?;
         Ok(found)
+    }
+
+    fn clock(&self) -> Duration {
+        Duration::from_nanos(self.spent.get())
     }
 }
 

@@ -78,12 +78,23 @@ fn what_falls_and_what_is_lost_counts() {
     assert_eq!(lost, ["Symplectic Euler: symplectic (yes → no)"]);
 }
 
-/// Catches: another verdict on somebody's solver of which a review says that nothing moved.
+/// Catches: a method that is new called one that has its order again, or one whose energy has
+/// become something else.
 #[test]
-fn another_judgement_is_said() {
-    let review = review(&[("solvers", " holds |", " fails |")]);
-    let moved = said(&review, Weight::Moved);
-    assert_eq!(moved, ["1 judgement of published solvers moved: `solvers`"]);
+fn a_new_method_is_said_to_be_new() {
+    let mut before = REVIEWED.clone();
+    for name in ["methods", "orders"] {
+        let text = &mut before.get_mut(name).unwrap().text;
+        *text = text
+            .lines()
+            .filter(|line| !line.starts_with("| Suzuki 4 "))
+            .fold(String::new(), |text, line| text + line + "\n");
+    }
+    let review = between(&before, &REVIEWED);
+    let of_it = |weight| said(&review, weight).into_iter().filter(|it| it.contains("Suzuki 4"));
+    assert!(of_it(Weight::Moved).any(|it| it == "1 method new: Suzuki 4"));
+    let others: Vec<String> = of_it(Weight::Alarm).chain(of_it(Weight::Calm)).collect();
+    assert!(others.is_empty(), "{others:?}");
 }
 
 /// What two digits exchanged in Suzuki's cube root of 4 do.
