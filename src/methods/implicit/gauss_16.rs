@@ -6,10 +6,11 @@ use crate::methods::{Info, MethodInfo};
 /// The Gauss method of eight stages: collocation at the zeros of a Legendre polynomial.
 ///
 /// Order 16, symplectic for every Hamiltonian system, separable or not, symmetric; a step evaluates
-/// the force at each stage in each sweep, and once to begin. The rounding of its coefficients leaves
-/// of this a drift: from 1 rad in steps of 0.1 s the energy of the pendulum grows by 3.5e-19 of
-/// itself in a step. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Sects. II.1.3 and
-/// VIII.6. Also called Gauss–Legendre or Kuntzmann–Butcher.
+/// the force at each stage in each sweep, and once to begin. That it is symplectic holds but for
+/// the rounding of its coefficients, which leaves a drift: from 1 rad in steps of 0.1 s the energy
+/// of the pendulum grows by 3.5e-19 of itself in a step. Hairer, Lubich, Wanner, *Geometric
+/// Numerical Integration*, Sects. II.1.3 and VIII.6. Also called Gauss–Legendre or
+/// Kuntzmann–Butcher.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gauss16;
 

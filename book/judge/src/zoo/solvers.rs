@@ -150,8 +150,8 @@ struct Slipping<M> {
     kept: Cell<f64>,
     /// The evaluations of all requests.
     counted: Cell<u64>,
-    /// The time that all requests have taken, by its own clock (ns): so much for each evaluation and
-    /// for each number that is moved, whatever the machine does.
+    /// The time that all requests have taken, by its own clock (ns): so much for each evaluation
+    /// and for each number that is moved, whatever the machine does.
     spent: Cell<u64>,
 }
 

@@ -6,8 +6,8 @@ pub fn number(value: Option<f64>) -> String {
     if value < 10.0 {
         return format!("{value:.1}");
     }
-    let unit = 10_f64.powf(value.log10().floor() - 1.0);
-    format!("{:.0}", (value / unit).round() * unit)
+    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+    format!("{rounded:.0}")
 }
 
 /// A text for Markdown, as it stands.
