@@ -2,11 +2,13 @@
 //! their recorded answers.
 
 use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::thread;
 
 use pendula::Phase;
 use pendula::methods::{Dop853, DormandPrince};
 use pendula_judge::zoo::recorded::{Recorded, Recording};
-use pendula_judge::zoo::solvers::wrong_solvers;
+use pendula_judge::zoo::solvers::{WrongSolver, wrong_solvers};
 use pendula_judge::{
     ByTolerance, Claims, Fault, Kind, Reply, Report, SolveFn, SolveRequest, Solver, Verdict,
     judge_solver,
@@ -26,19 +28,30 @@ fn failing(report: &Report) -> Vec<&'static str> {
 /// than they are, but for the time that they took.
 #[test]
 fn each_wrong_solver_is_caught() {
-    let mut said = Vec::new();
-    let mut caught = Vec::new();
-    for wrong in wrong_solvers() {
+    let judged = |wrong: &WrongSolver| {
         let recording = Recording::of(&*wrong.solver);
         let report = judge_solver(&recording, wrong.claims.parse().unwrap());
         let again = recorded(&recording.lines(), wrong.claims);
         let failing = failing(&report);
         assert!(failures_but_many(&report).eq(failures_but_many(&again)), "{report}\n{again}");
         assert_eq!(failing.is_empty(), wrong.name.starts_with("nothing wrong"), "{report}");
-        said.push(format!("{}: {}", wrong.name, failing.join(", ")));
-        said.extend(report.look_at.iter().map(|line| format!("    {line}")));
-        caught.extend((!failing.is_empty()).then_some(failing));
-    }
+        let name = format!("{}: {}", wrong.name, failing.join(", "));
+        let causes = report.look_at.iter().map(|line| format!("    {line}"));
+        ([name].into_iter().chain(causes).collect::<Vec<_>>(), failing)
+    };
+    // Side by side: each thread makes all of them, and judges every fourth.
+    const THREADS: usize = 4;
+    let all: BTreeMap<usize, _> = thread::scope(|scope| {
+        let part = |first: usize| {
+            let these = wrong_solvers().into_iter().enumerate().skip(first).step_by(THREADS);
+            these.map(|(number, wrong)| (number, judged(&wrong))).collect::<Vec<_>>()
+        };
+        let threads: Vec<_> = (0..THREADS).map(|first| scope.spawn(move || part(first))).collect();
+        threads.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
+    });
+    let (said, mut caught): (Vec<_>, Vec<_>) = all.into_values().unzip();
+    let mut said = said.concat();
+    caught.retain(|failing| !failing.is_empty());
     said.push(format!("\nThese alone catch all: {}\n", fewest(&caught).join(", ")));
     assert_eq!(said.join("\n"), include_str!("solvers.txt"), "\n{}", said.join("\n"));
 }
