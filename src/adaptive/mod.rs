@@ -63,9 +63,9 @@ use crate::systems::{Components, System};
 ///   Usually no step meets the tolerance there, and [`Error::StepTooSmall`] tells the time. But
 ///   beyond the end these formulas have values too, and a step across it may be accepted by chance,
 ///   more often with a coarse tolerance. Then the walk goes on along another motion, and its last
-///   state says nothing about yours. Let the rate be NaN where the motion is not defined, as √x and
-///   ln x are for a negative x: no step is accepted if the rate at one of its stages, or at its
-///   end, is not finite.
+///   state says nothing about the one that you asked for. Let the rate be NaN where the motion is
+///   not defined, as √x and ln x are for a negative x: no step is accepted if the rate at one of
+///   its stages, or at its end, is not finite.
 ///
 /// ```
 /// use pendula::Error;
