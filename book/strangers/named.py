@@ -1,4 +1,4 @@
-"""Holds the integrators of strangers.toml against snapshots/known-answers.json.
+"""Holds the integrators of strangers.toml against the known answers of the judge.
 
     book/strangers/run --named
 
@@ -36,10 +36,10 @@ class Answers:
     """The file of known answers."""
 
     def __init__(self, root):
-        known = json.loads((root / "snapshots" / "known-answers.json").read_text())
+        known = json.loads((root / "book/judge/known-answers/known-answers.json").read_text())
         self.scenes = {n: s for n, s in known["scenes"].items() if s["t"] == "0"}
         self.entries = {e["name"]: e for e in known["methods"] + known["mistakes"]}
-        tables = root / "book" / "known-answers" / "tables" / "multistep.toml"
+        tables = root / "book/judge/known-answers/tables/multistep.toml"
         several = tomllib.loads(tables.read_text())["method"]
         self.of_several_steps = {table["name"] for table in several}
         self.steps = dict.fromkeys(self.scenes, 0)

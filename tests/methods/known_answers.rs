@@ -1,5 +1,5 @@
-//! The methods of the library beside `snapshots/known-answers.json`, whose answers a program that
-//! knows nothing of them has computed.
+//! The methods of the library beside `book/judge/known-answers/known-answers.json`, whose answers a
+//! program that knows nothing of them has computed.
 
 use std::num::NonZeroU64;
 
@@ -16,7 +16,7 @@ fn known(method: &dyn AnyMethod) -> &'static Known {
     known_answers::method(name).unwrap_or_else(|| {
         panic!(
             "the known answers have no {name}: give it an entry in a file of \
-             book/known-answers/tables, and run `book/known-answers/run generate`"
+             book/judge/known-answers/tables, and run `book/judge/known-answers/run generate`"
         )
     })
 }
@@ -36,8 +36,8 @@ fn assert_known(method: &dyn AnyMethod, driven: bool, run: impl Fn(&Answer) -> P
         assert!(
             off <= 1.0,
             "{name}, {}, {steps} steps: {state:?} is {off} tolerances off. (The known answers call \
-             {name} a method of order {}, also named {:?}, and book/known-answers/tables says \
-             whose it is; if that is not yours, give yours another name.)",
+             {name} a method of order {}, also named {:?}, and book/judge/known-answers/tables \
+             says whose it is; if that is not yours, give yours another name.)",
             scene.name,
             known(method).order,
             known(method).also

@@ -13,7 +13,7 @@ use pendula::{
     AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, integrate,
     method_named,
 };
-use pendula_curves::kepler::{Kepler, PlanePhase};
+use pendula_dynamics::kepler::{Kepler, PlanePhase};
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 use pendula_study::experiments::varying_steps::{Control, run as run_of};
 use pendula_study::experiments::{choosing, in_paper, level_curves};

@@ -5,6 +5,8 @@ use std::sync::LazyLock;
 use pendula_study::claims::{Ledger, Measured};
 use pendula_study::experiments::Study;
 
+#[path = "../../book/dynamics/examples/bits/hashes/mod.rs"]
+mod bits;
 mod choosing;
 mod error_law;
 mod exercises;

@@ -6,7 +6,7 @@ use std::fs;
 
 use pendula::arithmetic::sine::sin;
 use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, Rk4, StormerVerlet, exact, method_named};
-use pendula_curves::kepler::{Ellipse, Kepler};
+use pendula_dynamics::kepler::{Ellipse, Kepler};
 use pendula_judge::known_answers;
 use pendula_study::digits::rounds_to;
 use pendula_study::dynamics::root;

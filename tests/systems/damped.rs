@@ -7,7 +7,7 @@ use pendula::{
     AnyMethod, Error, Grid, Info, LinearOscillator, Method, Pendulum, Phase, Separable, System,
     integrate,
 };
-use pendula_curves::shapes;
+use pendula_dynamics::shapes;
 use rstest::rstest;
 
 use crate::common::{in_seconds, on};

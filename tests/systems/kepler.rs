@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use approx::assert_abs_diff_eq;
 use pendula::metrics::order::slopes;
 use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate};
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use pendula_study::experiments::beyond::precession;
 use pendula_study::theory::other_systems::verlet_precession;
 use rstest::rstest;

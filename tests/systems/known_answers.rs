@@ -1,5 +1,6 @@
-//! The library's systems beside the right-hand sides of `snapshots/known-answers.json`, which a
-//! program that knows nothing of them has computed.
+//! The library's systems beside the right-hand sides of
+//! `book/judge/known-answers/known-answers.json`, which a program that knows nothing of them has
+//! computed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

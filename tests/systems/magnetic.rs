@@ -4,7 +4,7 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use pendula::methods::{BlanesMoan4, BlanesMoan6, Dop853, StormerVerlet};
 use pendula::{Grid, Method, Separable, System, integrate};
-use pendula_curves::kepler::{Planar, PlanePhase};
+use pendula_dynamics::kepler::{Planar, PlanePhase};
 use rstest::rstest;
 
 /// A magnetic field across the plane, and an electric one in it. Neither turning nor pull is 1, so

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, integrate};
-use pendula_curves::kepler::{Kepler, Planar, PlanePhase};
+use pendula_dynamics::kepler::{Kepler, Planar, PlanePhase};
 
 use crate::common::pendulum;
 

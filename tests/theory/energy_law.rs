@@ -320,7 +320,7 @@ fn energy_errors_are_those_of_sixty_digits() {
     assert!(
         missing.is_empty(),
         "tests/data/energy_errors.csv has no error of {missing:?}: name them in `CONSTANTS` of \
-         book/known-answers/errors.py, and run `book/known-answers/run errors`"
+         book/judge/known-answers/errors.py, and run `book/judge/known-answers/run errors`"
     );
 }
 

@@ -110,7 +110,7 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
     if !files::exists(&page).with_context(|| page.display().to_string())? {
         return Ok(());
     }
-    let file = root.join("../snapshots/known-answers.json");
+    let file = root.join("judge/known-answers/known-answers.json");
     let json = files::text(&file)?;
     let known = serde_json::from_str(&json).with_context(|| file.display().to_string())?;
     let script = format!("globalThis.knownAnswers = {};\n", of_steps(known));
@@ -170,7 +170,7 @@ mod tests {
     /// Catches: a page that loads what it does not read, or that lost what it reads.
     #[test]
     fn the_script_of_the_form_has_the_steps_alone() {
-        let text = include_str!("../../../snapshots/known-answers.json");
+        let text = include_str!("../../judge/known-answers/known-answers.json");
         let file: Value = serde_json::from_str(text).unwrap();
         let steps = of_steps(file.clone());
         assert!(steps.to_string().len() < file.to_string().len() * 3 / 4);

@@ -1,8 +1,8 @@
 //! What named integrators, and known mistakes in them, lead to in one, two or eight steps; and what
 //! the right-hand sides are that they are given, [`right_hand_side`].
 //!
-//! The numbers are those of `snapshots/known-answers.json`, which a program that knows nothing of
-//! this library has computed to 25 digits; `book/known-answers/README.md` has the conventions.
+//! The numbers are those of `known-answers/known-answers.json`, which a program that knows nothing
+//! of this library has computed to 25 digits; `known-answers/README.md` has the conventions.
 //!
 //! ```
 //! use pendula_judge::known_answers;
@@ -157,7 +157,7 @@ pub fn method(name: &str) -> Option<&'static Known> {
 }
 
 static FILE: LazyLock<Value> = LazyLock::new(|| {
-    let text = include_str!("../../../snapshots/known-answers.json");
+    let text = include_str!("../known-answers/known-answers.json");
     serde_json::from_str(text).expect("the file is JSON")
 });
 static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {

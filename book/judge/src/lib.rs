@@ -97,10 +97,6 @@ pub use solver::{
 pub use solver_judge::{judge_solver, try_judge_solver};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 
-#[cfg(test)]
-#[path = "../../../tests/common/each_method.rs"]
-mod common;
-
 /// The README's listings, run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

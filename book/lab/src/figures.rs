@@ -9,9 +9,9 @@ use core::iter;
 
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Motion, Pendulum, Phase};
-use pendula_curves::parts::{MOST, Parts};
-use pendula_curves::shapes::{self, CAT, Place, SQUARE};
-use pendula_curves::symplectic_euler::{level_curve_to_order, modified_energy};
+use pendula_dynamics::parts::{MOST, Parts};
+use pendula_dynamics::shapes::{self, CAT, Place, SQUARE};
+use pendula_dynamics::symplectic_euler::{level_curve_to_order, modified_energy};
 
 use crate::trajectory::{Kind, Setup, Trajectory, names};
 

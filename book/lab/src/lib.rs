@@ -6,7 +6,7 @@
 //!
 //! For the [`figures`] that a reader moves in the chapters there are points, many at once, and the
 //! [parts](figures::step_parts) of a step. Shapes, their areas and the energy that symplectic Euler
-//! conserves are those of [`pendula_curves`], as in the study.
+//! conserves are those of [`pendula_dynamics`], as in the study.
 //!
 //! `book/lab/build` compiles it for the page, and `tests/lab` compares the source and the
 //! compiled file with the library.

@@ -7,7 +7,7 @@
 //! * [`theory`]: what follows from the equations, without running a method.
 //! * [`experiments`]: what the methods do, as typed rows.
 //! * [`claims`]: the paper's claims compared with the rows; theory's predictions of its cells.
-//! * [`dynamics`]: periodic orbits and Lyapunov exponents, of `book/curves`.
+//! * [`dynamics`]: periodic orbits and Lyapunov exponents, in a crate of their own.
 //! * [`solvers`]: other people's solvers, and what the judge found of them.
 //! * [`questions`]: what is right in the book's questions.
 //! * [`charts`]: series to SVG, in a crate of their own.
@@ -26,7 +26,7 @@ pub mod solvers;
 pub mod theory;
 
 pub use pendula_charts as charts;
-pub use pendula_curves::dynamics;
+pub use pendula_dynamics as dynamics;
 
 /// The listings of the book's chapters, run as tests.
 #[cfg(doctest)]

@@ -4,7 +4,7 @@
 // method.
 'use strict';
 
-// Numbered as in book/curves/src/parts.rs.
+// Numbered as in book/dynamics/src/parts.rs.
 const SLOPE = 0;
 const NAMES = ['slope', 'kick', 'drift'];
 // The axes of the still figure, and those of the whole plane.

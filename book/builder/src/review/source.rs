@@ -9,7 +9,7 @@ use crate::versions::git;
 use pendula_output::files;
 
 /// The folders that the snapshots are made of, and that of the methods.
-const FOLDERS: [&str; 4] = ["src", "book/study/src", "book/charts/src", "book/curves/src"];
+const FOLDERS: [&str; 4] = ["src", "book/study/src", "book/charts/src", "book/dynamics/src"];
 const METHODS: &str = "src/methods";
 
 /// The code of a project, and since when changes in it are shown.

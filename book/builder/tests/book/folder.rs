@@ -82,9 +82,9 @@ fn the_old_book_stays_when_the_last_part_fails() {
     build(&folder).unwrap();
     let old = files::tree(&at("target/book")).unwrap();
     fs::create_dir_all(at("book/src/assets/which")).unwrap();
-    fs::create_dir_all(at("snapshots")).unwrap();
+    fs::create_dir_all(at("book/judge/known-answers")).unwrap();
     fs::write(at("book/src/assets/which/a.txt"), "").unwrap();
-    fs::write(at("snapshots/known-answers.json"), "{").unwrap();
+    fs::write(at("book/judge/known-answers/known-answers.json"), "{").unwrap();
     fs::write(at("book/src/one.md"), "# Another\n").unwrap();
     let line = build(&folder).unwrap_err();
     assert!(line.contains("known-answers.json"), "{line}");

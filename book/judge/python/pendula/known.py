@@ -1,7 +1,7 @@
 """The file of known answers, which comes with the package.
 
-Its README, ``book/known-answers/README.md``, has the conventions and how the numbers were computed,
-twice, to 25 digits.
+Its README, ``book/judge/known-answers/README.md``, has the conventions and how the numbers were
+computed, twice, to 25 digits.
 """
 
 from __future__ import annotations

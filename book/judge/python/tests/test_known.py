@@ -249,7 +249,8 @@ def test_the_example():
 
     Catches: an example that does not run, or with which a wrong program passes."""
     root = Path(__file__).resolve().parents[4]
-    example = runpy.run_path(str(root / "book/known-answers/examples/test_double_pendulum.py"))
+    folder = root / "book/judge/known-answers/examples"
+    example = runpy.run_path(str(folder / "test_double_pendulum.py"))
     example["test_accelerations"]()
     example["accelerations"].__globals__["cos"] = math.sin
     with pytest.raises(AssertionError, match="double-pendulum: "):

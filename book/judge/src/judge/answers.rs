@@ -1,4 +1,4 @@
-//! The stranger beside `snapshots/known-answers.json`: which method it is, or which mistake.
+//! The stranger beside `known-answers/known-answers.json`: which method it is, or which mistake.
 
 use super::claims::Claims;
 use super::probe::Probe;

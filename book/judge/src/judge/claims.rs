@@ -175,7 +175,7 @@ fn unknown(name: &str) -> String {
     let like: Vec<&str> = like.collect();
     let like = if like.is_empty() { vec!["rk4", "stormer-verlet", "…"] } else { like };
     format!(
-        "name={}: no method of snapshots/known-answers.json has this name; there are {}",
+        "name={}: no method of known-answers.json has this name; there are {}",
         shortened(name),
         like.join(", ")
     )

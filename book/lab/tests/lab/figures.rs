@@ -3,8 +3,8 @@
 
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{Grid, METHODS, Motion, Pendulum, Phase, methods::Info};
-use pendula_curves::parts::Parts;
-use pendula_curves::shapes::{CAT, Place, SQUARE, area};
+use pendula_dynamics::parts::Parts;
+use pendula_dynamics::shapes::{CAT, Place, SQUARE, area};
 use pendula_study::theory::Dimensionless;
 use pendula_study::theory::symplectic_euler::{correction_to_order, level_curve_to_order};
 

@@ -10,12 +10,12 @@ use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
 use pendula::systems::{DoublePendulum, DoublePhase, Driven, Joint, Mathieu, Shaken};
 use pendula::{Grid, Observer, Pendulum, Phase, integrate};
-use pendula_curves::dynamics::floquet::{PeriodicOrbit, contraction, monodromy};
-use pendula_curves::dynamics::lyapunov::Watch;
-use pendula_curves::dynamics::{
+use pendula_dynamics::floquet::{PeriodicOrbit, contraction, monodromy};
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::lyapunov::Watch;
+use pendula_dynamics::{
     Exponent, Stroboscope, largest_exponent, mode_shapes, period_doubling, periodic_orbit, root,
 };
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::digits::Digits;
 use crate::theory::other_systems::{a0, b1, verlet_precession};

@@ -8,7 +8,7 @@ use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Hamiltonian, Separable, System};
 use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::experiments::{grid, largest_energy_error, standard_map};
 

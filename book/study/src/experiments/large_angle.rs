@@ -10,7 +10,7 @@ use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Linear, PeakPeriod};
 use pendula::registry::InSteps;
 use pendula::{AnyMethod, Grid, Motion, Observer, Pendulum, Phase, exact};
-use pendula_curves::dynamics::Henon;
+use pendula_dynamics::Henon;
 
 use super::{grid, samples};
 

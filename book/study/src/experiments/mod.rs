@@ -28,7 +28,7 @@ pub mod work;
 use pendula::metrics::EnergyDrift;
 use pendula::registry::in_seconds;
 use pendula::{AnyMethod, Grid, Hamiltonian, METHODS, Pendulum, Phase, method_named};
-pub use pendula_curves::{parts, shapes};
+pub use pendula_dynamics::{parts, shapes};
 
 /// The five steps of the paper's ladder (s), its Section 5.2.
 pub const STEPS: [f64; 5] = [0.1, 0.05, 0.01, 0.005, 0.001];

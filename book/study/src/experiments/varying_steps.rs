@@ -4,7 +4,7 @@
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Hamiltonian, Separable, integrate};
-use pendula_curves::kepler::{Kepler, Planar, PlanePhase};
+use pendula_dynamics::kepler::{Kepler, Planar, PlanePhase};
 
 /// Revolutions of the planet.
 pub const REVOLUTIONS: u32 = 1000;

@@ -6,7 +6,7 @@ use pendula::integrate::Observer;
 use pendula::methods::{ForwardEuler, Info, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate};
-use pendula_curves::kepler::{Ellipse, Kepler};
+use pendula_dynamics::kepler::{Ellipse, Kepler};
 
 use super::{Compute, Truth, Within};
 

@@ -2,7 +2,7 @@
 
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::{Grid, Hamiltonian, Method, integrate};
-use pendula_curves::kepler::{Ellipse, Kepler};
+use pendula_dynamics::kepler::{Ellipse, Kepler};
 
 use super::{Compute, Truth};
 

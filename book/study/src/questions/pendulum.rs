@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::period;
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
-use pendula_curves::shapes;
+use pendula_dynamics::shapes;
 
 use super::{Compute, Truth, Within};
 

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_3;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, SymplecticEuler, integrate};
-use pendula_curves::shapes;
+use pendula_dynamics::shapes;
 
 use super::{Compute, Truth, Within};
 

@@ -3,7 +3,7 @@
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, Hamiltonian, integrate};
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 
 use super::{Compute, Truth};
 

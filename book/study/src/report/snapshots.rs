@@ -19,8 +19,8 @@ pub enum Kind {
     Table,
     /// A drawing.
     Figure,
-    /// Hashes of states, made by the crate `pendula-bits` and compared by a test: what builds the
-    /// book need not compile it.
+    /// Hashes of states, made by the example `bits` of `book/dynamics` and compared by a test: what
+    /// builds the book need not compile it.
     Hashes,
     /// A table that takes minutes to make: a command of its own writes it, and no test compares it.
     Recorded,

@@ -40,8 +40,8 @@ pub mod small_angle;
 pub mod stormer_verlet;
 
 pub use modified_series::ModifiedSeries;
-pub use pendula_curves::point::Dimensionless;
-pub(crate) use pendula_curves::point::scaled;
-pub use pendula_curves::symplectic_euler;
-use pendula_curves::{level_curve, point::polynomial};
+pub use pendula_dynamics::point::Dimensionless;
+pub(crate) use pendula_dynamics::point::scaled;
+pub use pendula_dynamics::symplectic_euler;
+use pendula_dynamics::{level_curve, point::polynomial};
 pub use tools::average;

@@ -18,7 +18,7 @@
 
 use core::f64::consts::PI;
 
-use pendula_curves::kepler::Ellipse;
+use pendula_dynamics::kepler::Ellipse;
 
 /// The angle (rad) by which Störmer–Verlet with the `step` h (s) turns the pericentre in a
 /// revolution: −(π/8)(nh)² (4 + e²)/(1 − e²)³ + O(h⁴), against the motion.

@@ -300,10 +300,10 @@ fn what_is_not_measured_has_the_programs_reason() {
 }
 
 #[allow(clippy::disallowed_methods)] // A user's step calls the platform's sine.
-#[path = "../../../../known-answers/examples/verlet.rs"]
+#[path = "../../../../judge/known-answers/examples/verlet.rs"]
 mod verlet;
 
-const KNOWN: &str = include_str!("../../../../../snapshots/known-answers.json");
+const KNOWN: &str = include_str!("../../../../judge/known-answers/known-answers.json");
 
 /// The kick at the end is told the time of the start; a coefficient is off in its sixth digit; what
 /// comes out is no number.
@@ -315,7 +315,7 @@ fn root() -> PathBuf {
 }
 
 fn example(name: &str) -> String {
-    fs::read_to_string(root().join("book/known-answers/examples").join(name)).unwrap()
+    fs::read_to_string(root().join("book/judge/known-answers/examples").join(name)).unwrap()
 }
 
 /// Whether the program ends well beside the file.

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, SQRT_2};
 
 use pendula::systems::DoublePhase;
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 
 use super::{named, phase_plane, style};
 use crate::charts::{Axis, Chart, Figure, Style};

@@ -2,10 +2,10 @@
 
 use pendula::{Driven, Method, Phase};
 
-use super::linearised::Linearised;
-use super::root::root;
-use super::stroboscope::Stroboscope;
-use super::variation::{Bundle, Variational};
+use crate::linearised::Linearised;
+use crate::root::root;
+use crate::stroboscope::Stroboscope;
+use crate::variation::{Bundle, Variational};
 
 /// The monodromy matrix: the linear map of small displacements from an orbit over its period, by
 /// its two columns.

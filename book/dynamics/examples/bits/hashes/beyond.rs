@@ -9,13 +9,13 @@ use pendula::{
     Components, Damped, DoublePendulum, Driven, Error, Grid, LinearOscillator, Method, Pendulum,
     Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
 };
-use pendula_curves::dynamics::lyapunov::Watch;
-use pendula_curves::dynamics::{
+use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
+use pendula_dynamics::lyapunov::Watch;
+use pendula_dynamics::{
     Stroboscope, largest_exponent, mode_shapes, normal_modes, period_doubling, periodic_orbit,
 };
-use pendula_curves::kepler::{Ellipse, Kepler, PlanePhase};
 
-use crate::Hash;
+use super::Hash;
 
 /// Adds every state of `steps` steps to `hash`.
 fn run<S, M>(hash: &mut Hash, system: &S, method: &M, start: S::State, (step, steps): (f64, u64))

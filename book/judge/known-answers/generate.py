@@ -1,4 +1,4 @@
-"""Writes snapshots/known-answers.json: python3 generate.py"""
+"""Writes known-answers.json: python3 generate.py"""
 
 import json
 import math
@@ -14,7 +14,7 @@ import tables
 from arithmetic import Digits, Rough, Spread, mpf
 from steps import Method, Pendulum, combination, taylor
 
-OUTPUT = pathlib.Path(__file__).parents[2] / "snapshots" / "known-answers.json"
+OUTPUT = pathlib.Path(__file__).with_name("known-answers.json")
 SHOWN = 25
 MARGIN = 2
 LEAST = 4
@@ -200,7 +200,7 @@ ABOUT = (
     "digits; a program agrees if neither θ nor ω is further off than "
     "tolerance × ε × max(|θ|, |ω|), with the ε of its type. And right_hand_sides: accelerations "
     "and energies of this pendulum, with drag too, and of the double pendulum, and the usual "
-    "mistakes in them. See book/known-answers/README.md."
+    "mistakes in them. See book/judge/known-answers/README.md."
 )
 
 if __name__ == "__main__":

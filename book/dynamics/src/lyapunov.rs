@@ -2,10 +2,10 @@
 
 use pendula::{Error, Method, Phase};
 
-use super::linearised::Linearised;
-use super::stroboscope::Stroboscope;
-use super::variation::{Bundle, Variational};
 use crate::checked;
+use crate::linearised::Linearised;
+use crate::stroboscope::Stroboscope;
+use crate::variation::{Bundle, Variational};
 
 /// A Lyapunov exponent (1/s): the mean rate at which the logarithm of a small distance grows.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,9 +2,9 @@
 
 use pendula::{Error, Grid, Method, Phase, System, integrate};
 
-use super::linearised::Linearised;
-use super::variation::{Bundle, Variational};
 use crate::checked;
+use crate::linearised::Linearised;
+use crate::variation::{Bundle, Variational};
 
 /// The stroboscopic map, which is the Poincaré map of a driven system: from the state at the
 /// beginning of a period of the drive to the state at its end.

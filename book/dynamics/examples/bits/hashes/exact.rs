@@ -7,10 +7,10 @@ use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
 use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
-use pendula_curves::dynamics::Henon;
-use pendula_curves::shapes::area;
+use pendula_dynamics::Henon;
+use pendula_dynamics::shapes::area;
 
-use crate::Hash;
+use super::Hash;
 
 /// How often each function is evaluated.
 const SAMPLES: u64 = 30_000;

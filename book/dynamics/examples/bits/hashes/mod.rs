@@ -1,8 +1,8 @@
 //! Hashes of all that the library computes: debug and release builds, and all processors, have the
 //! same bits, so that they have the same hashes.
 //!
-//! The snapshot `bits` has them as reviewed. A test of the study compares it with this crate, and
-//! `.ci/processors` with what the program `bits` prints on each of the processors.
+//! The snapshot `bits` has them as reviewed. A test of the study compiles this module and
+//! compares, and `.ci/processors` does with what the example prints on each of the processors.
 
 mod beyond;
 mod exact;
@@ -13,10 +13,14 @@ use pendula::Components;
 /// What is computed, in a few words, and the hash of its bits.
 pub type Line = (String, u64);
 
-/// All of them, in a fixed order.
-pub fn lines() -> Vec<Line> {
+/// What a hash is in each of several numbers of threads.
+pub type InThreads = fn(&(dyn Fn() -> u64 + Sync)) -> Vec<u64>;
+
+/// All of them, in a fixed order. What `in_threads` finds of an ensemble in several numbers of
+/// threads goes into its hash: it is another if one differs.
+pub fn lines(in_threads: InThreads) -> Vec<Line> {
     let named = |(name, hash): (&str, u64)| (name.to_string(), hash);
-    let mut lines = methods::lines();
+    let mut lines = methods::lines(in_threads);
     lines.extend(exact::lines().map(named));
     lines.extend(beyond::lines().map(named));
     lines

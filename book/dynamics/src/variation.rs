@@ -5,7 +5,7 @@ use core::ops::{Add, Mul};
 
 use pendula::{RateOf, State, System, Vector};
 
-use super::linearised::Linearised;
+use crate::linearised::Linearised;
 
 /// A system together with N infinitesimal displacements: a system too, which any method for systems
 /// can step.

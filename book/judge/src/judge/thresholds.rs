@@ -18,7 +18,6 @@ use super::reversal::{Way, judge as reversal};
 use super::stage_times::verdict as stage_times;
 use super::symmetry::Apart;
 use super::{Claims, Finding, Report, judge};
-use crate::common::Random;
 use crate::known_answers;
 use crate::properties::error_constant::leading_local_error;
 use crate::{Chosen, Fault, FromFn, Reply, Request, Stranger};
@@ -338,14 +337,15 @@ fn moved(request: &Request, reply: Reply, steps: f64) -> Reply {
 /// Catches: rounding, or the terms that a series leaves out, taken for a wrong coefficient.
 #[test]
 fn a_right_step_has_no_wrong_term() {
-    let mut random = Random::new(1);
+    let mut random = fastrand::Rng::with_seed(1);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.f64();
     for name in ["stormer-verlet", "rk4", "forest-ruth", "gauss-4", "dormand-prince"] {
         let method = method_named(name).expect("it is on the list");
         let stranger = Chosen::new(method);
         let probe = Probe::new(&stranger).unwrap();
         for _ in 0..40 {
-            let g_over_l = random.between(0.1, 50.0);
-            let starts = [(); 6].map(|()| [random.between(-3.0, 3.0), random.between(-2.0, 2.0)]);
+            let g_over_l = between(0.1, 50.0);
+            let starts = [(); 6].map(|()| [between(-3.0, 3.0), between(-2.0, 2.0)]);
             let found = deviation_with(&probe, g_over_l, starts).unwrap();
             let order = method.info().order as usize;
             let power = found.map(|found| found.power);

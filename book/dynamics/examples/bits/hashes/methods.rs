@@ -9,7 +9,7 @@ use pendula::{
     System, method_named,
 };
 
-use crate::{Hash, Line, common};
+use super::{Hash, InThreads, Line, common};
 
 /// The hash of every state of four runs of `steps` steps: swinging, nearly over the top, rotating,
 /// and starting many turns from zero; with L ≠ 1 and a step that is not a power of two.
@@ -58,25 +58,12 @@ fn of_ensemble(method: &dyn AnyMethod, instructions: Instructions) -> u64 {
 
 /// The hash of the ensemble, with the best instructions that there are and with those that every
 /// processor of its kind has, in whatever number of threads.
-fn of_lanes(method: &dyn AnyMethod) -> u64 {
+fn of_lanes(method: &dyn AnyMethod, in_threads: InThreads) -> u64 {
     let [best, baseline] =
         [Instructions::Best, Instructions::Baseline].map(|with| of_ensemble(method, with));
     let mut hashes = vec![best, baseline];
-    hashes.extend(in_threads(method));
+    hashes.extend(in_threads(&|| of_ensemble(method, Instructions::Best)));
     common(&hashes)
-}
-
-#[cfg(feature = "threads")]
-fn in_threads(method: &dyn AnyMethod) -> impl Iterator<Item = u64> {
-    [1, 2, 7].into_iter().map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.expect("threads").install(|| of_ensemble(method, Instructions::Best))
-    })
-}
-
-#[cfg(not(feature = "threads"))]
-fn in_threads(_method: &dyn AnyMethod) -> impl Iterator<Item = u64> {
-    std::iter::empty()
 }
 
 /// Passes every state of a run of `method` on `system` to `watch`, the start included.
@@ -98,7 +85,7 @@ fn with_lost(hash: &mut Hash, z: CompensatedPhase) {
 }
 
 /// A line for each method and each of the loops; in lanes for some of each family.
-pub fn lines() -> Vec<Line> {
+pub fn lines(in_threads: InThreads) -> Vec<Line> {
     let mut lines = Vec::new();
     for (index, method) in METHODS.iter().enumerate() {
         let name = method.info().name;
@@ -139,7 +126,7 @@ pub fn lines() -> Vec<Line> {
         "deuflhard",
     ] {
         let method = method_named(name).expect("a method of the library");
-        lines.push((format!("{name} in lanes"), of_lanes(method)));
+        lines.push((format!("{name} in lanes"), of_lanes(method, in_threads)));
     }
     lines
 }

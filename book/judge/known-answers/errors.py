@@ -15,7 +15,7 @@ import tables
 from arithmetic import Digits
 from steps import Method
 
-ROOT = pathlib.Path(__file__).parents[2]
+ROOT = pathlib.Path(__file__).parents[3]
 DATA = ROOT / "book/judge/src/properties/data"
 END = mpf(4)
 STARTS = [("1", "0"), ("-2", "0.5"), ("0.5", "2.5")]
