@@ -102,7 +102,6 @@ fn the_table_of_the_house_is_that_of_the_manifests() {
             .filter(|line| line.starts_with("pendula"))
             .map(|line| match line.split(' ').next().unwrap() {
                 "pendula" => "the library",
-                "pendula-book" => "builder",
                 name => name.trim_start_matches("pendula-"),
             })
             .collect();

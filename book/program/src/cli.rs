@@ -14,7 +14,7 @@ use rayon::ThreadPoolBuilder;
 use crate::commands::number::{Part, Sweep};
 use crate::commands::output::Streams;
 use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
-use pendula_output::failure::{Failure, shortened};
+use crate::output::failure::{Failure, shortened};
 
 #[derive(Debug, Parser)]
 #[command(name = "pendula", version, about = ABOUT)]
@@ -164,7 +164,7 @@ fn matches(words: &[OsString]) -> Result<ArgMatches, Failure> {
 /// The book, where there is one.
 fn without_a_command() -> Result<Command, Failure> {
     #[cfg(feature = "book")]
-    if pendula_book::locate::book(&std::env::current_dir()?).is_ok() {
+    if crate::book::locate::book(&std::env::current_dir()?).is_ok() {
         use crate::commands::study;
         return Ok(Command::Study(study::Command::Book(study::BookArguments::default())));
     }

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use pendula_output::failure::Failure;
-use pendula_output::interrupt;
 use pendula_program::commands::output::{Streams, WholeLines};
+use pendula_program::output::failure::Failure;
+use pendula_program::output::interrupt;
 use pendula_program::{cli, colour};
 
 /// Standard output or standard error, whose errors say so.
@@ -43,7 +43,7 @@ impl<W: Write> Write for Standard<W> {
 
 fn main() -> ExitCode {
     colour::detect();
-    if let Err(error) = pendula_output::files::report_size_limit() {
+    if let Err(error) = pendula_program::output::files::report_size_limit() {
         let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
         return ExitCode::from(2);
     }

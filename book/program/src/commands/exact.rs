@@ -11,7 +11,7 @@ use pendula::{Motion, MotionKind, Pendulum, Phase};
 use super::number::{angle, number};
 use super::output::{Destination, RowFormat, Rows};
 use super::system::PendulumArguments;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// Arguments of `pendula exact`.
 #[derive(Args, Debug)]

@@ -9,9 +9,9 @@ use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use pendula_output::failure::Failure;
-use pendula_output::files;
-use pendula_output::files::together::{self, Change};
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::files::together::{self, Change};
 
 /// Arguments of `pendula completions`.
 #[derive(Args, Debug)]

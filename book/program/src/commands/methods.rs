@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::output::{TableFormat, csv};
 use crate::colour;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// Arguments of `pendula methods`.
 #[derive(Args, Debug)]

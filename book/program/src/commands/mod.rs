@@ -3,8 +3,8 @@
 //! A command writes to the writer it receives, returns a [`Failure`] for anything that goes wrong,
 //! and prints nothing else, so that a closed pipe and bad input are handled once, in `main`.
 
+use crate::output::failure::Failure;
 use clap::builder::{StyledStr, Styles};
-use pendula_output::failure::Failure;
 
 pub mod exact;
 pub mod installed;

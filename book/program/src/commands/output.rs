@@ -8,12 +8,12 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::files::together;
+use crate::output::files::whole_file::WholeFile;
+use crate::output::rows::{Line, Look};
 use clap::ValueEnum;
-use pendula_output::failure::Failure;
-use pendula_output::files;
-use pendula_output::files::together;
-use pendula_output::files::whole_file::WholeFile;
-use pendula_output::rows::{Line, Look};
 use same_file::Handle;
 use serde_json::Value;
 

@@ -8,7 +8,7 @@ use pendula_charts::{Axis, Chart, Figure, Style};
 
 use super::output::{Destination, Stream};
 use crate::colour;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// Where the rows are drawn.
 #[derive(Args, Debug)]

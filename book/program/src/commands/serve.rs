@@ -12,7 +12,7 @@ use pendula_judge::protocol::{Question, question};
 use pendula_judge::{ByTolerance, Chosen, Crossings, Fault, Reply, Solver, Stranger};
 
 use super::system::{SERIES, methods_and_series};
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// Arguments of `pendula serve`.
 #[derive(Args, Debug)]

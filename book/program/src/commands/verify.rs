@@ -15,9 +15,9 @@ use pendula_judge::{Claims, Fault, Program, Report, Verdict, try_judge, try_judg
 use super::number::number;
 use super::output::{Destination, Stream, is_lost};
 use crate::colour;
+use crate::output::failure::Failure;
+use crate::output::interrupt;
 use crate::verify::page;
-use pendula_output::failure::Failure;
-use pendula_output::interrupt;
 
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]

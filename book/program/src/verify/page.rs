@@ -6,7 +6,7 @@ use pendula_judge::formats::Judged;
 use pendula_judge::printable::escaped;
 use pendula_judge::{Claims, Finding, Report, Verdict, scientific};
 
-use pendula_output::page::{Page, with_code};
+use crate::output::page::{Page, with_code};
 
 /// The page.
 pub fn html(judged: &Judged<'_>) -> String {

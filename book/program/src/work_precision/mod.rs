@@ -11,7 +11,7 @@ use pendula::metrics::EndError;
 use pendula::{Grid, METHODS, Pendulum, Phase};
 use pendula_study::experiments::MethodRef;
 
-use pendula_book::progress::Progress;
+use crate::book::progress::Progress;
 
 pub mod figure;
 

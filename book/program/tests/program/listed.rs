@@ -8,10 +8,10 @@ use std::sync::LazyLock;
 
 use clap::FromArgMatches;
 use pendula::METHODS;
-use pendula_output::failure::Failure;
 use pendula_program::cli;
 use pendula_program::commands::output::TableFormat;
 use pendula_program::commands::study::paper::{Filter, report};
+use pendula_program::output::failure::Failure;
 use pendula_study::claims::{Claim, Ledger, Verdict};
 use pendula_study::experiments::Study;
 use rstest::rstest;

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use clap::Parser;
-use pendula_book::review::working_tree::{WorkingTree, contents};
-use pendula_book::versions::{Made, Version, on_disk};
-use pendula_output::failure::Failure;
+use pendula_program::book::review::working_tree::{WorkingTree, contents};
+use pendula_program::book::versions::{Made, Version, on_disk};
 use pendula_program::commands::study::review::{Arguments, run_in};
+use pendula_program::output::failure::Failure;
 use tempfile::TempDir;
 
 use crate::{PENDULA, refused};

@@ -15,7 +15,7 @@ use pendula::{
 use super::output::{Streams, Summary};
 use super::plot::Panel;
 use super::system::{Chosen, Forced, SystemArguments, methods_and_series};
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 use trajectory::{Trajectory, TrajectoryArguments};
 use walk::Walk;
 

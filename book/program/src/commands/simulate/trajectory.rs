@@ -14,7 +14,7 @@ use crate::commands::number::{count, number, positive_count};
 use crate::commands::output::{RowFormat, Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, Panel, PlotArguments, TIME};
 use crate::commands::unsolved;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// How long a trajectory is, and how it is printed.
 #[derive(Args, Debug)]

@@ -15,8 +15,8 @@ use super::{end_errors, energy_at_the_end, row_of_one, row_of_two};
 use crate::commands::output::{Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, TIME};
 use crate::commands::system::SERIES;
+use crate::output::failure::Failure;
 use pendula::systems::DoublePhase;
-use pendula_output::failure::Failure;
 
 /// How a trajectory in such steps is made and printed.
 #[derive(Clone, Copy)]

@@ -7,15 +7,15 @@ use std::env;
 use std::io::{self, Write};
 use std::path::Path;
 
+use crate::book::ledger::Paper as Measured;
+use crate::book::preprocess::{protocol, supports};
+use crate::book::progress::Progress;
+use crate::book::{build, locate};
 use anyhow::{Context, Result};
 use clap::{Args, Subcommand};
-use pendula_book::ledger::Paper as Measured;
-use pendula_book::preprocess::{protocol, supports};
-use pendula_book::progress::Progress;
-use pendula_book::{build, locate};
 
 use super::examples;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 pub mod paper;
 pub mod review;

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::colour;
 use crate::commands::output::{TableFormat, csv};
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// Arguments of `pendula paper tables`.
 #[derive(Args, Debug)]

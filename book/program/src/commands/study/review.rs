@@ -8,16 +8,16 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 
 use super::open_in_browser;
+use crate::book::locate;
+use crate::book::progress::Progress;
+use crate::book::review::markdown::Document;
+use crate::book::review::source::Code;
+use crate::book::review::working_tree::WorkingTree;
+use crate::book::review::{Review, render};
+use crate::book::versions::{Made, committed, computed};
 use crate::commands::output::Stream;
-use pendula_book::locate;
-use pendula_book::progress::Progress;
-use pendula_book::review::markdown::Document;
-use pendula_book::review::source::Code;
-use pendula_book::review::working_tree::WorkingTree;
-use pendula_book::review::{Review, render};
-use pendula_book::versions::{Made, committed, computed};
-use pendula_output::failure::Failure;
-use pendula_output::files;
+use crate::output::failure::Failure;
+use crate::output::files;
 
 /// Arguments of `pendula review`.
 #[derive(Args, Debug)]

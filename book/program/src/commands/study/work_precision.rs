@@ -4,21 +4,21 @@ use std::env;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::book::preprocess::work_precision::{self, CSV, SVG};
 use anyhow::Context;
 use clap::Args;
-use pendula_book::preprocess::work_precision::{self, CSV, SVG};
 use pendula_study::report::table::Table;
 use serde_json::{Value, json};
 
+use crate::book::locate;
+use crate::book::progress::Progress;
 use crate::commands::number::number;
 use crate::commands::output::{Stream, TableFormat, is_lost};
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::files::together::{self, Change};
 use crate::work_precision::figure;
 use crate::work_precision::{Budget, Curve, Measured, Measurement, Problem, SCENES, measure};
-use pendula_book::locate;
-use pendula_book::progress::Progress;
-use pendula_output::failure::Failure;
-use pendula_output::files;
-use pendula_output::files::together::{self, Change};
 
 /// Arguments of `pendula bench`.
 #[derive(Args, Debug)]

@@ -12,7 +12,7 @@ use super::number::{Part, Sweep, angles, number};
 use super::output::{RowFormat, Rows, Streams, Summary};
 use super::plot::{Across, Drawing, Panel, PlotArguments};
 use super::system::{PendulumArguments, methods};
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 use runner::{Planned, Run, Runner, grids};
 
 mod runner;

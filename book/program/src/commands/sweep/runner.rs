@@ -13,7 +13,7 @@ use pendula_device::{Compiled, Device};
 use rayon::prelude::*;
 
 use crate::commands::number::Range;
-use pendula_output::failure::Failure;
+use crate::output::failure::Failure;
 
 /// What all runs of a sweep have in common.
 pub struct Runner<'d> {
