@@ -320,7 +320,7 @@ fn example(name: &str) -> String {
 
 /// Whether the program ends well beside the file.
 fn passes(command: &mut Command) -> bool {
-    command.current_dir(root().join("snapshots")).output().unwrap().status.success()
+    command.current_dir(root().join("book/judge/known-answers")).output().unwrap().status.success()
 }
 
 /// Runs the example as it is, and with each mistake.
@@ -358,7 +358,11 @@ fn the_check_of_a_double_pendulum_names_the_mistake() {
     }
     let run = |program: &str| {
         let mut command = Command::new("python3");
-        command.args(["-c", program]).current_dir(root().join("snapshots")).output().unwrap()
+        command
+            .args(["-c", program])
+            .current_dir(root().join("book/judge/known-answers"))
+            .output()
+            .unwrap()
     };
     let source = example("double_pendulum.py");
     assert!(run(&source).status.success());
