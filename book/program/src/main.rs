@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use pendula_program::commands::output::{Streams, WholeLines};
+use pendula_program::commands::output::{Streams, buffered};
 use pendula_program::output::failure::Failure;
 use pendula_program::output::interrupt;
 use pendula_program::{cli, colour};
@@ -43,11 +43,6 @@ impl<W: Write> Write for Standard<W> {
 
 fn main() -> ExitCode {
     colour::detect();
-    if let Err(error) = pendula_program::output::files::report_size_limit() {
-        let _ = writeln!(io::stderr(), "pendula: signals cannot be handled: {error}");
-        return ExitCode::from(2);
-    }
-    // Before there are other threads.
     if let Err(failure) = interrupt::listen() {
         let _ = writeln!(io::stderr(), "{}", failure.line().unwrap_or_default());
         return failure.exit_code();
@@ -55,7 +50,7 @@ fn main() -> ExitCode {
     let (name, is_closed) = ("standard output", pendula_closed::output());
     let out = Standard { stream: io::stdout().lock(), name, is_closed };
     let is_open = out.open();
-    let mut out = WholeLines::new(out);
+    let mut out = buffered(out);
     let (name, is_closed) = ("standard error", pendula_closed::error());
     let mut err = Standard { stream: io::stderr(), name, is_closed };
     let outcome = cli::parse(std::env::args_os())

@@ -11,7 +11,7 @@ use clap_mangen::Man;
 
 use crate::output::failure::Failure;
 use crate::output::files;
-use crate::output::files::together::{self, Change};
+use crate::output::files::whole_file::{self, Change};
 
 /// Arguments of `pendula completions`.
 #[derive(Args, Debug)]
@@ -67,7 +67,7 @@ pub fn man(
         changes.push(Change::Written(folder.join(name), page));
         commands.extend(command.get_subcommands());
     }
-    together::change(&changes).map_err(refused)
+    whole_file::change(&changes).map_err(refused)
 }
 
 /// The name of the file of a command, and its page.

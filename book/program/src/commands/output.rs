@@ -10,8 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::output::failure::Failure;
 use crate::output::files;
-use crate::output::files::together;
-use crate::output::files::whole_file::WholeFile;
+use crate::output::files::whole_file::{self, WholeFile};
 use crate::output::rows::{Line, Look};
 use clap::ValueEnum;
 use same_file::Handle;
@@ -27,63 +26,18 @@ pub struct Streams<'a> {
     pub err: &'a mut dyn Write,
 }
 
-/// Passes on whole lines, as many at once as a pipe takes all of or nothing: what reads there sees
-/// whole rows, also of a process that is ended in the midst of them. Lines that come seldom do not
-/// wait for others.
-///
-/// Dropped, it forgets what has not been flushed.
-#[derive(Debug)]
-pub struct WholeLines<W> {
-    out: W,
-    waiting: Vec<u8>,
-    /// When some were passed on.
-    last: Instant,
-}
-
-/// How long a line waits at most when another one comes.
+/// How long a row waits at most when another one comes.
 const SELDOM: Duration = Duration::from_millis(100);
 
-/// As many bytes as a pipe takes all of or nothing; POSIX asks for 512.
-const AT_ONCE: usize = if cfg!(target_os = "linux") { 4096 } else { 512 };
+/// The bytes of as many rows as go out at once. Linux passes so many on to a pipe all or not at
+/// all, so that what reads there sees whole rows, also of a process that is ended in the midst of
+/// them. (Other systems promise that of 512.) Each row is one write, so that a buffer has whole
+/// ones.
+const AT_ONCE: usize = 4096;
 
-impl<W: Write> WholeLines<W> {
-    /// Before the first line.
-    pub fn new(out: W) -> Self {
-        Self { out, waiting: Vec::new(), last: Instant::now() }
-    }
-
-    /// How many bytes the whole lines have.
-    fn whole(&self) -> Option<usize> {
-        self.waiting.iter().rposition(|byte| *byte == b'\n').map(|end| end + 1)
-    }
-
-    /// Passes on the first bytes, and forgets them even if that fails.
-    fn pass_on(&mut self, count: usize) -> io::Result<()> {
-        self.last = Instant::now();
-        let passed = self.out.write_all(&self.waiting[..count]);
-        self.waiting.drain(..count);
-        passed
-    }
-}
-
-impl<W: Write> Write for WholeLines<W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.waiting.len() + bytes.len() > AT_ONCE {
-            // A line that is longer than that goes on in pieces.
-            self.pass_on(self.whole().unwrap_or(self.waiting.len()))?;
-        }
-        let taken = bytes.len().min(AT_ONCE - self.waiting.len());
-        self.waiting.extend_from_slice(&bytes[..taken]);
-        if self.last.elapsed() > SELDOM {
-            self.pass_on(self.whole().unwrap_or(0))?;
-        }
-        Ok(taken)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.pass_on(self.waiting.len())?;
-        self.out.flush()
-    }
+/// Where rows go, a few at once.
+pub fn buffered<W: Write>(out: W) -> BufWriter<W> {
+    BufWriter::with_capacity(AT_ONCE, out)
 }
 
 /// A writer, and what it takes to finish. Its errors name the file.
@@ -91,7 +45,7 @@ pub enum Destination<'a> {
     /// The caller's writer.
     Caller(&'a mut dyn Write),
     /// A device or a pipe, which cannot be replaced by another file.
-    Direct(WholeLines<File>, PathBuf),
+    Direct(BufWriter<File>, PathBuf),
     /// A temporary file beside the target, renamed onto it at the end, or removed if dropped
     /// before.
     Beside(Box<BufWriter<WholeFile>>),
@@ -108,7 +62,7 @@ impl<'a> Destination<'a> {
         match files::metadata(path).map_err(refused)? {
             Some(found) if !found.is_file() && !found.is_dir() => {
                 let device = File::options().write(true).open(path).map_err(refused)?;
-                Ok(Self::Direct(WholeLines::new(device), path.to_path_buf()))
+                Ok(Self::Direct(buffered(device), path.to_path_buf()))
             }
             _ => {
                 let beside = WholeFile::beside(path).map_err(refused)?;
@@ -135,7 +89,7 @@ impl<'a> Destination<'a> {
                 files.push(out.into_inner().map_err(|error| error.into_error())?);
             }
         }
-        Ok(together::replace(files)?)
+        Ok(whole_file::replace(files)?)
     }
 
     /// Refuses the file that `option` names if the shell has a stream write to it too: what is
@@ -256,6 +210,8 @@ pub struct Rows<'o, const N: usize> {
     /// Rows so far.
     rows: u64,
     line: Line,
+    /// When some went out because they had waited.
+    last: Instant,
 }
 
 impl<'o, const N: usize> Rows<'o, N> {
@@ -276,7 +232,14 @@ impl<'o, const N: usize> Rows<'o, N> {
             RowFormat::Csv => {}
             RowFormat::Json => out.write_all(b"[")?,
         }
-        Ok(Self { out, plot, format, rows: 0, line: Line::new(look, &columns) })
+        Ok(Self {
+            out,
+            plot,
+            format,
+            rows: 0,
+            line: Line::new(look, &columns),
+            last: Instant::now(),
+        })
     }
 
     /// Rows so far.
@@ -289,11 +252,13 @@ impl<'o, const N: usize> Rows<'o, N> {
         if let Some(plot) = &mut self.plot {
             plot.add(&values);
         }
-        if self.format == RowFormat::Json {
-            self.out.write_all(if self.rows > 0 { b",\n" } else { b"\n" })?;
-        }
         self.rows += 1;
-        self.out.write_all(self.line.row(&values))
+        self.out.write_all(self.line.row(&values))?;
+        if self.last.elapsed() > SELDOM {
+            self.last = Instant::now();
+            self.out.flush()?;
+        }
+        Ok(())
     }
 
     /// All rows are written: their file and the plot appear. If one of them cannot be

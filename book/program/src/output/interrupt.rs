@@ -1,59 +1,54 @@
-//! Interruptions, INT, TERM and HUP: they end any process within half a second, or within a second
-//! if its standard error takes nothing, whatever it waits for, and leave no temporary file.
+//! Interruptions: INT, TERM and HUP end the process within half a second, or within a second if its
+//! standard error takes nothing, whatever it waits for, and leave no temporary file.
+//!
+//! The signals set a flag, at which a thread looks. It needs nothing of what the others do: each
+//! temporary file is known here from the moment it is made to the moment it has its own name.
 
+use std::fs::{self, File};
 use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError, mpsc};
 use std::thread;
 use std::time::Duration;
 
 use anyhow::Context;
+use signal_hook::consts;
 
 use crate::output::failure::Failure;
-use crate::output::files::temporary::temporary;
 
 /// How long a command has to end by itself.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-static FLAG: AtomicBool = AtomicBool::new(false);
+/// How often the thread looks at the flag.
+const LOOK: Duration = Duration::from_millis(20);
 
-/// Held by who ends the process, to its end.
-static ENDING: Mutex<()> = Mutex::new(());
+#[cfg(unix)]
+const INTERRUPTING: [i32; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
+#[cfg(not(unix))]
+const INTERRUPTING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
+
+static FLAG: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
+
+static TEMPORARY: Mutex<Temporary> = Mutex::new(Temporary(Vec::new()));
 
 /// Ends the process 0.4 s after an interruption, with status 2 and one line, and without its
 /// temporary files, unless it has ended by itself.
-///
-/// It is to be called before there are other threads: those that begin later leave the signals to
-/// the one that waits for them.
 pub fn listen() -> Result<(), Failure> {
-    Ok(listened().context("interrupts cannot be listened to")?)
+    Ok(listened().context("signals cannot be listened to")?)
 }
 
-/// The signals are blocked and waited for. A handler would not do: the compiler in the driver of a
-/// device installs handlers of its own, and between two signals the process is then ended.
-#[cfg(unix)]
 fn listened() -> io::Result<()> {
-    use nix::sys::signal::{SigSet, Signal};
-    let signals: SigSet = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter().collect();
-    signals.thread_block()?;
-    let wait = move || {
-        if signals.wait().is_ok() {
-            end();
-        }
-    };
-    thread::Builder::new().spawn(wait).map(drop)
-}
-
-#[cfg(not(unix))]
-fn listened() -> io::Result<()> {
-    use signal_hook::consts::{SIGINT, SIGTERM};
-    let heard = std::sync::Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
-        signal_hook::flag::register(signal, std::sync::Arc::clone(&heard))?;
+    for signal in INTERRUPTING {
+        signal_hook::flag::register(signal, Arc::clone(&FLAG))?;
     }
-    let wait = move || {
-        while !heard.load(Ordering::Relaxed) {
-            thread::sleep(Duration::from_millis(20));
+    // So that a write beyond the limit on the size of a file (`ulimit -f`) fails like one to a full
+    // disk, and says all there is to say: otherwise the system ends the program.
+    #[cfg(unix)]
+    signal_hook::flag::register(consts::SIGXFSZ, Arc::default())?;
+    let wait = || {
+        while !flag().load(Ordering::Relaxed) {
+            thread::sleep(LOOK);
         }
         end();
     };
@@ -61,21 +56,19 @@ fn listened() -> io::Result<()> {
 }
 
 /// The flag that an interruption sets, for a command that has something else to end than itself.
-pub const fn flag() -> &'static AtomicBool {
+pub fn flag() -> &'static AtomicBool {
     &FLAG
 }
 
 /// Does not return while an interruption is ending the process, so that it has one status and one
 /// line.
 pub fn wait_if_ending() {
-    drop(ENDING.lock());
+    drop(temporary());
 }
 
 /// Ends the process, after some time in which it ends by itself if it can.
 fn end() {
-    FLAG.store(true, Ordering::Relaxed);
     thread::sleep(PATIENCE);
-    let _ending = ENDING.lock().unwrap_or_else(PoisonError::into_inner);
     // Until the end no new one appears, and none gets its own name.
     let mut known = temporary();
     known.remove();
@@ -94,5 +87,74 @@ fn say(line: &'static str) {
     };
     if thread::Builder::new().spawn(write).is_ok() {
         let _ = said.recv_timeout(PATIENCE);
+    }
+}
+
+/// What is under a temporary name now. As long as somebody has it, the process is not ended by an
+/// interruption: whoever renames a file holds it meanwhile.
+#[derive(Debug)]
+pub struct Temporary(Vec<PathBuf>);
+
+/// What is under a temporary name now.
+pub fn temporary() -> MutexGuard<'static, Temporary> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Temporary {
+    /// Takes in a file or a folder that has just been made.
+    pub fn add(&mut self, path: &Path) {
+        self.0.push(path.to_path_buf());
+    }
+
+    /// Forgets one that has its own name now, or is gone.
+    pub fn forget(&mut self, path: &Path) {
+        self.0.retain(|known| known != path);
+    }
+
+    /// Removes all that there is. Nobody is told what cannot be removed. A folder is first replaced
+    /// by a file: who still writes there fails on it, and would make the folder anew otherwise.
+    /// Called again, this removes the file.
+    pub fn remove(&mut self) {
+        self.0.retain(|path| fs::remove_file(path).is_err() && path.is_dir() && replaced(path));
+    }
+}
+
+/// Puts a file in the place of a folder; as often as somebody else is quicker.
+fn replaced(folder: &Path) -> bool {
+    (0..100).any(|_| {
+        let _ = fs::remove_dir_all(folder);
+        File::create_new(folder).is_ok()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Catches: a folder that is left because somebody writes to it while it is removed, or after.
+    #[test]
+    fn a_folder_in_which_somebody_writes_is_removed() {
+        let top = tempfile::tempdir().unwrap();
+        let [folder, file] = ["folder", "file"].map(|name| top.path().join(name));
+        fs::write(&file, "").unwrap();
+        let mut all = Temporary(vec![folder.clone(), file, top.path().join("gone")]);
+        // As mdBook does, which makes the folders of each file.
+        let write = move || {
+            let mut count = 0;
+            let inner = folder.join("a");
+            while fs::create_dir_all(&inner).and_then(|()| fs::write(inner.join("b"), "")).is_ok() {
+                count += 1;
+            }
+            count
+        };
+        let writer = std::thread::spawn(write.clone());
+        while !top.path().join("folder/a/b").exists() {
+            std::thread::yield_now();
+        }
+        all.remove();
+        assert!(writer.join().unwrap() > 0);
+        assert_eq!(write(), 0);
+        all.remove();
+        assert_eq!(fs::read_dir(top.path()).unwrap().count(), 0);
     }
 }

@@ -9,7 +9,7 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
 use super::markdown::Document;
-use crate::output::files::together::{self, Change};
+use crate::output::files::whole_file::{self, Change};
 use crate::output::files::{canonicalize, create_folder};
 use crate::output::page::Page;
 use pendula_judge::printable::escaped;
@@ -31,7 +31,7 @@ pub fn write(document: &Document, root: &Path) -> Result<PathBuf> {
     create_folder(&folder).with_context(refused)?;
     // The path to print, as long as nothing has changed.
     let index = canonicalize(&folder).with_context(refused)?.join("index.html");
-    together::change(&[Change::Written(index.clone(), html.into_bytes())])?;
+    whole_file::change(&[Change::Written(index.clone(), html.into_bytes())])?;
     Ok(index)
 }
 

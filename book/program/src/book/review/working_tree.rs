@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Result, bail, ensure};
 
 use crate::book::versions::{Content, File, Made, Version, on_disk};
-use crate::output::files::together::{self, Change};
+use crate::output::files::whole_file::{self, Change};
 
 /// The snapshots of the working tree.
 pub struct WorkingTree {
@@ -83,7 +83,7 @@ impl WorkingTree {
             }
             changes.extend(self.accepting(snapshots, name, new));
         }
-        together::change(&changes)
+        whole_file::change(&changes)
     }
 
     /// What accepting `name` does, where `new` is the newer content, if there is one: its file is

@@ -16,7 +16,7 @@ use crate::commands::number::number;
 use crate::commands::output::{Stream, TableFormat, is_lost};
 use crate::output::failure::Failure;
 use crate::output::files;
-use crate::output::files::together::{self, Change};
+use crate::output::files::whole_file::{self, Change};
 use crate::work_precision::figure;
 use crate::work_precision::{Budget, Curve, Measured, Measurement, Problem, SCENES, measure};
 
@@ -58,7 +58,7 @@ pub fn run_with(arguments: &Arguments, budget: Budget, out: &mut dyn Write) -> R
     let measured = measure(budget, &Progress::on_terminal());
     let printed = print(arguments.format, &measured, &folder, out);
     if !is_lost(&printed) {
-        together::change(&[
+        whole_file::change(&[
             Change::Written(folder.join(SVG), figure::svg(&measured).into_bytes()),
             Change::Written(folder.join(CSV), csv(&measured).into_bytes()),
         ])?;

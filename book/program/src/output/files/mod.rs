@@ -3,10 +3,9 @@
 //! A [`WholeFile`](whole_file::WholeFile) is written beside its place, under a temporary name, and
 //! renamed: whatever fails, and whenever the program ends, the old one is there as it was, or the
 //! new one whole. So is a [`WholeFolder`](whole_folder::WholeFolder), in which mdBook writes. A
-//! process that is interrupted removes [what it leaves](temporary); one that is killed cannot.
+//! process that is [interrupted](super::interrupt) removes what it leaves; one that is killed
+//! cannot.
 
-pub mod temporary;
-pub mod together;
 pub mod whole_file;
 pub mod whole_folder;
 
@@ -17,18 +16,6 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 
 pub use std::fs::{canonicalize, create_dir_all as create_folder, read, read_to_string};
-
-/// Lets a write beyond the limit on the size of a file (`ulimit -f`) fail like one to a full disk.
-/// Without this the system ends the program, and a temporary file is left behind.
-pub fn report_size_limit() -> io::Result<()> {
-    #[cfg(unix)]
-    signal_hook::flag::register(
-        signal_hook::consts::SIGXFSZ,
-        // Nobody looks at the flag: the write that fails says all there is to say.
-        std::sync::Arc::default(),
-    )?;
-    Ok(())
-}
 
 /// The file that writing to `path` is to change: where links lead, even if there is no file yet.
 ///

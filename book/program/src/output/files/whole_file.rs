@@ -1,13 +1,14 @@
-//! Files that appear only when they are whole.
+//! Files that appear only when they are whole; several that [change](change) together.
 
 use std::fs::{File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf, is_separator};
 
+use anyhow::{Context, Result};
 use tempfile::NamedTempFile;
 
-use super::temporary::{Temporary, temporary};
-use super::{behind_links, folder_of, metadata, prefix};
+use super::{behind_links, folder_of, metadata, prefix, remove};
+use crate::output::interrupt::{Temporary, temporary};
 
 /// A file that is written under another name and takes the place of its target when it is whole.
 /// Dropped before, it is removed, and the target is as it was.
@@ -77,7 +78,7 @@ impl WholeFile {
 
     /// Brings all that was written to the disk, so that only the new name is missing, with the
     /// permissions of the old file.
-    pub(super) fn complete(&mut self) -> io::Result<()> {
+    fn complete(&mut self) -> io::Result<()> {
         if let Some(old) = &self.old {
             let permissions = old.permissions();
             // Not those of a program that runs as its owner, who may be another now.
@@ -96,7 +97,7 @@ impl WholeFile {
     ///
     /// # Errors
     /// If that fails; the target is then as it was before.
-    pub(super) fn rename(self, known: &mut Temporary) -> io::Result<()> {
+    fn rename(self, known: &mut Temporary) -> io::Result<()> {
         let name = self.file.path().to_path_buf();
         self.file.persist(&self.target).map_err(|refused| refused.error)?;
         known.forget(&name);
@@ -111,5 +112,80 @@ impl Write for WholeFile {
 
     fn flush(&mut self) -> io::Result<()> {
         self.file.as_file_mut().flush()
+    }
+}
+
+/// What becomes of a file.
+#[derive(Clone, Debug)]
+pub enum Change {
+    /// It will say this.
+    Written(PathBuf, Vec<u8>),
+    /// It is removed.
+    Removed(PathBuf),
+}
+
+/// Makes all the changes. All that is new is brought to the disk beside each file first, so that
+/// then only names change: a full disk or a file that may not be written changes none.
+pub fn change(changes: &[Change]) -> Result<()> {
+    let mut written = Vec::new();
+    for change in changes {
+        if let Change::Written(path, bytes) = change {
+            let prepared = prepare(path, bytes);
+            written.push(prepared.with_context(|| cannot(path, "written"))?);
+        }
+    }
+    replace(written)?;
+    for change in changes {
+        if let Change::Removed(path) = change {
+            remove(path).with_context(|| cannot(path, "removed"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Puts all these files in the places of their targets, once all are on the disk.
+pub fn replace(mut files: Vec<WholeFile>) -> Result<()> {
+    for file in &mut files {
+        file.complete().with_context(|| cannot(file.target(), "written"))?;
+    }
+    let mut known = temporary();
+    for file in files {
+        let target = file.target().to_path_buf();
+        file.rename(&mut known).with_context(|| cannot(&target, "replaced"))?;
+    }
+    Ok(())
+}
+
+fn prepare(path: &Path, bytes: &[u8]) -> io::Result<WholeFile> {
+    let mut file = WholeFile::beside(path)?;
+    file.write_all(bytes)?;
+    Ok(file)
+}
+
+fn cannot(path: &Path, what: &str) -> String {
+    format!("{} cannot be {what}", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// Catches: one of several files changed although another cannot be; one left behind.
+    #[test]
+    fn all_files_change_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("a"), "old").unwrap();
+        fs::write(at("b"), "old").unwrap();
+        let first = [Change::Written(at("a"), b"new".to_vec()), Change::Removed(at("b"))];
+        let all = [&first[..], &[Change::Written(at("no/such"), Vec::new())]].concat();
+        let error = change(&all).unwrap_err();
+        assert!(format!("{error:#}").contains("no/such cannot be written: there is no folder"));
+        assert_eq!(["a", "b"].map(|name| fs::read(at(name)).unwrap()), [b"old", b"old"]);
+        change(&first).unwrap();
+        assert_eq!(fs::read(at("a")).unwrap(), b"new");
+        assert_eq!(crate::output::files::list(folder.path()).unwrap(), [at("a")]);
     }
 }

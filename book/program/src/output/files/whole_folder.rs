@@ -4,8 +4,8 @@ use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::temporary::temporary;
 use super::{behind_links, create_folder, exists, folder_of, metadata};
+use crate::output::interrupt::temporary;
 
 /// A folder that is filled under another name and takes the place of its target when it is whole.
 /// Dropped before, it is removed, and the target is as it was. One process at a time fills it:
