@@ -1,10 +1,8 @@
 //! Methods by their names, on systems other than the pendulum.
 
-use crate::methods;
 use crate::registry::AnyMethod;
-use crate::systems::{
-    Compensated, Damped, DoublePendulum, Driven, Measurable, Pendulum, Separable, Shaken, System,
-};
+use crate::systems::{Compensated, Measurable, Pendulum, Separable, System};
+use crate::{methods, systems};
 
 /// A system on which the methods of the library are found by their names.
 ///
@@ -81,19 +79,24 @@ macro_rules! for_the_pendulum {
 }
 crate::for_each_method!(for_the_pendulum);
 
+macro_rules! method_on {
+    (separable) => {
+        method_for_separable
+    };
+    (general) => {
+        method_for
+    };
+}
+
 macro_rules! by_name {
-    ($($System:ty: $found:ident;)+) => {
-        $(impl ByName for $System {
+    ($($mark:ident $System:ident,)+) => {
+        $(impl ByName for systems::$System {
             #[cfg_attr(not(feature = "table"), inline)]
             fn method_named(name: &str) -> Option<&'static dyn AnyMethod<Self>> {
-                $found(name)
+                let find = method_on!($mark);
+                find(name)
             }
         })+
     };
 }
-by_name! {
-    Damped: method_for_separable;
-    Driven: method_for_separable;
-    Shaken: method_for_separable;
-    DoublePendulum: method_for;
-}
+crate::for_each_system!(by_name);

@@ -78,6 +78,7 @@ mod driven;
 mod from_rate;
 mod gradient;
 mod linear_oscillator;
+mod list;
 mod mean_force;
 mod nearly_linear;
 mod pendulum;

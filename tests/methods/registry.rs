@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use pendula::registry::{ByName, InSteps};
 use pendula::{
-    AnyMethod, Compensated, Counting, Damped, DoublePendulum, Driven, Grid, METHODS, Method,
-    Pendulum, Phase, Shaken, StormerVerlet, System, method_named, methods,
+    AnyMethod, Compensated, Counting, Grid, METHODS, Method, Pendulum, Phase, StormerVerlet,
+    System, method_named, methods,
 };
 
 /// The folder of the methods.
@@ -93,7 +93,13 @@ fn a_method_is_found_on_every_system_that_it_suits() {
             );)+
         };
     }
-    is_found!(Pendulum, Compensated<Pendulum>, Damped, Driven, Shaken, DoublePendulum);
+    macro_rules! is_found_on_each {
+        ($($mark:ident $System:ident,)+) => {
+            is_found!($(pendula::systems::$System),+);
+        };
+    }
+    is_found!(Pendulum, Compensated<Pendulum>);
+    pendula::for_each_system!(is_found_on_each);
 }
 
 /// The table on the documentation page of the methods, generated from their entries.
