@@ -45,6 +45,18 @@ impl Panel {
     pub const fn logarithmic(self) -> Self {
         Self { log: true, ..self }
     }
+
+    /// Whether rows of `count` columns have those that it shows.
+    pub const fn shows_only(&self, count: usize) -> bool {
+        let mut shown = 0;
+        while shown < self.columns.len() {
+            if self.columns[shown].0 >= count {
+                return false;
+            }
+            shown += 1;
+        }
+        true
+    }
 }
 
 /// What is on the x axis.

@@ -8,7 +8,7 @@ use clap::Args;
 use pendula::adaptive::STEP_LIMIT;
 use pendula::integrate::Run;
 use pendula::metrics::EnergyDrift;
-use pendula::{Error, Grid, Hamiltonian, Observer};
+use pendula::{Error, Grid, Hamiltonian, Observer, RateOf, State, System};
 
 use crate::commands::number::{count, number, positive_count};
 use crate::commands::output::{RowFormat, Rows, Streams, Summary};
@@ -77,8 +77,8 @@ pub struct Trajectory<'a, Z, const N: usize> {
     pub title: String,
     /// The first state.
     pub start: Z,
-    /// Its energy above that of rest (J).
-    pub energy: f64,
+    /// The energy, if the system conserves it.
+    pub conserved: Option<Conserved<'a, Z>>,
     /// The names of the columns.
     pub columns: [&'static str; N],
     /// The row of a time and a state.
@@ -87,8 +87,30 @@ pub struct Trajectory<'a, Z, const N: usize> {
     pub panels: &'static [Panel],
     /// The name of the method.
     pub method: &'a str,
-    /// Adds the errors of the last state to a summary.
-    pub end_errors: &'a dyn Fn(&mut Summary, Z),
+    /// Adds to a summary what there is to say of a time and the last state.
+    pub summarise: &'a dyn Fn(&mut Summary, f64, Z),
+}
+
+/// A system that conserves its energy, of which nothing else is known: what measures the energy is
+/// compiled once for each kind of state.
+pub struct Conserved<'a, Z>(pub &'a dyn Hamiltonian<State = Z>);
+
+impl<Z: State> System for Conserved<'_, Z> {
+    type State = Z;
+
+    fn rate(&self, t: f64, z: Z) -> RateOf<Self> {
+        self.0.rate(t, z)
+    }
+}
+
+impl<Z: State> Hamiltonian for Conserved<'_, Z> {
+    fn energy(&self, z: Z) -> f64 {
+        self.0.energy(z)
+    }
+
+    fn energies(&self, states: &[Z], energies: &mut [f64]) {
+        self.0.energies(states, energies);
+    }
 }
 
 impl TrajectoryArguments {
@@ -109,12 +131,11 @@ impl TrajectoryArguments {
     }
 
     /// Prints the rows of `trajectory`, which is `run` along `grid`.
-    pub fn print<H: Hamiltonian, const N: usize>(
+    pub fn print<Z: State, const N: usize>(
         &self,
-        trajectory: &Trajectory<'_, H::State, N>,
-        drift: Option<EnergyDrift<'_, H>>,
+        trajectory: &Trajectory<'_, Z, N>,
         grid: &Grid,
-        mut run: Run<'_, H::State>,
+        mut run: Run<'_, Z>,
         Streams { out, err }: Streams<'_>,
     ) -> Result<(), Failure> {
         let &Self { summary, every, format, ref output, .. } = self;
@@ -123,7 +144,7 @@ impl TrajectoryArguments {
         let plot = Drawing { asked: &self.plot, title, across: TIME, panels, summary };
         let opened = plot.begin(output.as_deref(), out)?;
         let rows = Rows::begin(opened, format, columns, true)?;
-        let drift = drift.filter(|_| summary);
+        let drift = trajectory.drift().filter(|_| summary);
         let mut watch = Watch { drift, row, rows, every, next: 0, ended: None };
         watch.observe(0, grid.time(0), start);
         // Unless the energy error is measured, only samples to be printed are asked for.
@@ -145,17 +166,40 @@ impl TrajectoryArguments {
         rows.finish()?;
         if summary {
             let mut summary = Summary::of_cost(steps, evaluations, begun.elapsed());
-            if let Some(drift) = drift {
-                summary.energy_error(drift.largest(), trajectory.energy, "");
-            }
-            (trajectory.end_errors)(&mut summary, z);
+            trajectory.end_summary(&mut summary, drift, grid.time(grid.steps()), z);
             summary.print(err)?;
         }
         Ok(())
     }
 }
 
-impl<Z: Copy, const N: usize> Trajectory<'_, Z, N> {
+impl<Z: State, const N: usize> Trajectory<'_, Z, N> {
+    /// The same with this behind its title.
+    pub fn titled(self, how: &str) -> Self {
+        let comma = if self.title.is_empty() { "" } else { ", " };
+        Self { title: format!("{}{comma}{how}", self.title), ..self }
+    }
+
+    /// What measures the energy error, if there is one.
+    pub fn drift(&self) -> Option<EnergyDrift<'_, Conserved<'_, Z>>> {
+        self.conserved.as_ref().map(EnergyDrift::new)
+    }
+
+    /// Adds the energy error to the summary, if one was measured, and what there is to say of the
+    /// state `end` at the time `t` (s).
+    pub fn end_summary(
+        &self,
+        summary: &mut Summary,
+        drift: Option<EnergyDrift<'_, Conserved<'_, Z>>>,
+        t: f64,
+        end: Z,
+    ) {
+        if let (Some(drift), Some(conserved)) = (drift, &self.conserved) {
+            summary.energy_error(drift.largest(), conserved.energy(self.start), "");
+        }
+        (self.summarise)(summary, t, end);
+    }
+
     /// The last state, after `steps` steps at the time `t` (s), or why there is none.
     fn end(&self, z: Result<Z, Error>, steps: u64, t: f64) -> Result<Z, Failure> {
         let z = z.map_err(|error| {
@@ -182,10 +226,10 @@ pub fn overflow(steps: u64) -> Failure {
 }
 
 /// Measures the energy error of the samples it is shown, and prints every k-th, until it fails.
-struct Watch<'a, H: Hamiltonian, const N: usize> {
+struct Watch<'a, Z: State, const N: usize> {
     /// None where the system conserves no energy, or nobody asks for it.
-    drift: Option<EnergyDrift<'a, H>>,
-    row: &'a dyn Fn(f64, H::State) -> [f64; N],
+    drift: Option<EnergyDrift<'a, Conserved<'a, Z>>>,
+    row: &'a dyn Fn(f64, Z) -> [f64; N],
     rows: Rows<'a, N>,
     every: NonZeroU64,
     /// The next sample to be printed: to divide each number would take as long as a step.
@@ -194,8 +238,8 @@ struct Watch<'a, H: Hamiltonian, const N: usize> {
     ended: Option<Failure>,
 }
 
-impl<H: Hamiltonian, const N: usize> Observer<H::State> for Watch<'_, H, N> {
-    fn observe(&mut self, n: u64, t: f64, z: H::State) {
+impl<Z: State, const N: usize> Observer<Z> for Watch<'_, Z, N> {
+    fn observe(&mut self, n: u64, t: f64, z: Z) {
         if let Some(drift) = &mut self.drift {
             drift.observe(n, t, z);
         }

@@ -4,167 +4,68 @@ use std::time::Instant;
 
 use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
 use pendula::methods::{Dop853, DormandPrince};
-use pendula::metrics::EnergyDrift;
-use pendula::{
-    Components, DoublePendulum, Error, Hamiltonian, Info, Observer, Pendulum, Phase, System,
-};
+use pendula::systems::Analytic;
+use pendula::{Components, Error, Info, Observer, System};
 
+use super::systems::SYSTEMS;
 use super::trajectory::{Trajectory, TrajectoryArguments, overflow};
-use super::{COLUMNS, COLUMNS_OF_TWO, PANELS, PANELS_OF_TWO};
-use super::{end_errors, energy_at_the_end, row_of_one, row_of_two};
 use crate::commands::output::{Rows, Streams, Summary};
 use crate::commands::plot::{Drawing, TIME};
 use crate::commands::system::SERIES;
 use crate::output::failure::Failure;
-use pendula::systems::DoublePhase;
 
-/// How a trajectory in such steps is made and printed.
-#[derive(Clone, Copy)]
-pub struct Walk<'a> {
-    /// The name of the method.
-    pub method: &'a str,
+/// A trajectory in such steps, and how it is printed: a row for the start and one for the end of
+/// each step.
+pub struct Walk<'a, S: System, const N: usize> {
+    pub system: &'a S,
     /// The tolerance, and the duration (s).
     pub within: (f64, f64),
     pub arguments: &'a TrajectoryArguments,
+    /// With the name of its system for its title.
+    pub trajectory: Trajectory<'a, S::State, N>,
 }
 
-impl Walk<'_> {
-    /// Prints a row for the start of the pendulum and one for the end of each step.
-    pub fn of_pendulum(
-        self,
-        pendulum: &Pendulum,
-        start: Phase,
-        streams: Streams<'_>,
-    ) -> Result<(), Failure> {
-        let drift = Some(EnergyDrift::new(pendulum));
-        let (_, duration) = self.within;
-        let end = |summary: &mut Summary, z| end_errors(summary, pendulum, start, duration, z);
-        let row = row_of_one(*pendulum);
-        let trajectory = self.trajectory("", pendulum, start, &row, &end);
-        if self.method == SERIES {
-            return self.by(TaylorSeries, "Taylor series", pendulum, &trajectory, drift, streams);
-        }
-        self.print(pendulum, "the pendulum", &trajectory, drift, streams)
-    }
+/// What takes and prints a walk by the Taylor series.
+pub type Series<S, const N: usize> = fn(Walk<'_, S, N>, Streams<'_>) -> Result<(), Failure>;
 
-    /// The same of a system that is made of the pendulum, is called this, and conserves no energy.
-    pub fn of_other<S: System<State = Phase>>(
-        self,
-        system: &S,
-        called: &str,
-        pendulum: &Pendulum,
-        start: Phase,
-        streams: Streams<'_>,
-    ) -> Result<(), Failure> {
-        let end = |summary: &mut Summary, z| energy_at_the_end(summary, pendulum, start, z);
-        let of = format!("{called}, ");
-        let row = row_of_one(*pendulum);
-        let trajectory = self.trajectory(&of, pendulum, start, &row, &end);
-        self.print(system, called, &trajectory, None::<EnergyDrift<'_, Pendulum>>, streams)
-    }
+/// Prints the walk by the Taylor series.
+pub fn by_series<S: Analytic<State: Components>, const N: usize>(
+    walk: Walk<'_, S, N>,
+    streams: Streams<'_>,
+) -> Result<(), Failure> {
+    walk.by(TaylorSeries, "Taylor series", streams)
+}
 
-    /// The same of the double pendulum.
-    pub fn of_two(
-        self,
-        double: &DoublePendulum,
-        start: DoublePhase,
-        streams: Streams<'_>,
-    ) -> Result<(), Failure> {
-        let trajectory = Trajectory {
-            title: "Double pendulum, ".to_owned(),
-            start,
-            energy: double.energy(start),
-            panels: &PANELS_OF_TWO,
-            columns: COLUMNS_OF_TWO,
-            row: &row_of_two(double),
-            method: self.method,
-            // There is no closed form.
-            end_errors: &|_, _| {},
-        };
-        let drift = Some(EnergyDrift::new(double));
-        self.print(double, "the double pendulum", &trajectory, drift, streams)
-    }
-
-    fn trajectory<'t>(
-        &'t self,
-        of: &str,
-        pendulum: &Pendulum,
-        start: Phase,
-        row: &'t dyn Fn(f64, Phase) -> [f64; 4],
-        end_errors: &'t dyn Fn(&mut Summary, Phase),
-    ) -> Trajectory<'t, Phase, 4> {
-        Trajectory {
-            title: of.to_owned(),
-            start,
-            energy: pendulum.energy(start),
-            columns: COLUMNS,
-            row,
-            panels: &PANELS,
-            method: self.method,
-            end_errors,
-        }
-    }
-
-    fn print<S, H, const N: usize>(
-        self,
-        system: &S,
-        called: &str,
-        trajectory: &Trajectory<'_, S::State, N>,
-        drift: Option<EnergyDrift<'_, H>>,
-        streams: Streams<'_>,
-    ) -> Result<(), Failure>
-    where
-        S: System<State: Components>,
-        H: Hamiltonian<State = S::State>,
-    {
+impl<S: System<State: Components>, const N: usize> Walk<'_, S, N> {
+    /// Prints the walk of the system that is `called` this by an embedded pair.
+    pub fn by_a_pair(self, called: &str, streams: Streams<'_>) -> Result<(), Failure> {
         let [five, eight] = [DormandPrince.info(), Dop853.info()];
-        match self.method {
-            name if name == five.name => {
-                self.by(DormandPrince, five.title, system, trajectory, drift, streams)
-            }
-            name if name == eight.name => {
-                self.by(Dop853, eight.title, system, trajectory, drift, streams)
-            }
-            SERIES => Err(Failure::refused(format!(
-                "--method {SERIES}: the powers of the motion are known for --system pendulum \
-                 alone; for {called} take {} or {}",
-                five.name, eight.name
-            ))),
-            name => Err(Failure::refused(format!(
-                "--method {name} does not choose its steps: with --tolerance it must be {}, {} or \
-                 {SERIES}",
-                five.name, eight.name
-            ))),
+        match self.trajectory.method {
+            name if name == five.name => self.by(DormandPrince, five.title, streams),
+            name if name == eight.name => self.by(Dop853, eight.title, streams),
+            name => Err(no_walk(name, called)),
         }
     }
 
-    fn by<S, M, H, const N: usize>(
+    fn by<M: Controlled<S>>(
         self,
         method: M,
         title: &str,
-        system: &S,
-        trajectory: &Trajectory<'_, S::State, N>,
-        mut drift: Option<EnergyDrift<'_, H>>,
         Streams { out, err }: Streams<'_>,
-    ) -> Result<(), Failure>
-    where
-        S: System<State: Components>,
-        M: Controlled<S>,
-        H: Hamiltonian<State = S::State>,
-    {
-        let Self { within: (tolerance, duration), arguments, .. } = self;
-        let &Trajectory { title: ref of, start, energy, columns, row, panels, end_errors, .. } =
-            trajectory;
+    ) -> Result<(), Failure> {
+        let Self { system, within: (tolerance, duration), arguments, trajectory } = self;
+        let trajectory = trajectory.titled(&format!("{title}, tolerance {tolerance:?}"));
+        let &Trajectory { ref title, start, columns, row, panels, .. } = &trajectory;
         let begun = Instant::now();
-        let title = format!("{of}{title}, tolerance {tolerance:?}");
         let tolerance = Tolerance::uniform(tolerance).map_err(Failure::refused)?;
         let adaptive = Adaptive::new(method, tolerance).max_attempts(arguments.max_steps);
         let mut walk = adaptive.steps(system, start, 0.0, duration).map_err(Failure::refused)?;
 
         let &TrajectoryArguments { plot: ref asked, summary, .. } = arguments;
-        let plot = Drawing { asked, title: &title, across: TIME, panels, summary };
+        let plot = Drawing { asked, title, across: TIME, panels, summary };
         let opened = plot.begin(arguments.output.as_deref(), out)?;
         let mut rows = Rows::begin(opened, arguments.format, columns, true)?;
+        let mut drift = trajectory.drift().filter(|_| summary);
         if let Some(drift) = &mut drift {
             drift.observe(0, 0.0, start);
         }
@@ -196,14 +97,31 @@ impl Walk<'_> {
             let mut summary =
                 Summary::of_cost(counts.accepted, counts.evaluations, begun.elapsed());
             summary.line("steps rejected", counts.rejected.to_string());
-            if let Some(drift) = drift {
-                summary.energy_error(drift.largest(), energy, "");
-            }
-            end_errors(&mut summary, walk.state());
+            trajectory.end_summary(&mut summary, drift, duration, walk.state());
             summary.print(err)?;
         }
         Ok(())
     }
+}
+
+/// The refusal of the method `name` for the system that is `called` this.
+fn no_walk(name: &str, called: &str) -> Failure {
+    let [five, eight] = [DormandPrince.info().name, Dop853.info().name];
+    Failure::refused(match name {
+        SERIES => {
+            let known = SYSTEMS.iter().filter(|system| system.has_series());
+            let known: Vec<&str> = known.map(|system| system.name()).collect();
+            let known = known.join(" or ");
+            format!(
+                "--method {SERIES}: the powers of the motion are known for --system {known} \
+                 alone; for {called} take {five} or {eight}"
+            )
+        }
+        _ => format!(
+            "--method {name} does not choose its steps: with --tolerance it must be {five}, \
+             {eight} or {SERIES}"
+        ),
+    })
 }
 
 /// The error with the names of the options that would help.
