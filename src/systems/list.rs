@@ -1,11 +1,11 @@
 //! The list of the systems beyond the pendulum on which methods are found by their names.
 
-/// This is the list, passed to the macro `$then`; further arguments follow it. `registry` makes of
-/// it that methods are found on a system by their names, and a test asks whether all are found that
-/// suit it.
+/// Passes the list to the macro `$then`, and further arguments behind it. From it
+/// [`ByName`](crate::registry::ByName) is implemented, and a test asks whether every method that
+/// suits a system is found on it.
 ///
-/// `separable` stands before a system that splits into kick and drift, which splitting methods suit
-/// too; `general` before another.
+/// `separable` stands before a system that splits into kick and drift, so that splitting methods
+/// are found on it too; `general` before another.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! for_each_system {

@@ -75,14 +75,18 @@ macro_rules! suit {
 /// the damped pendulum for every separable one.
 ///
 /// Catches: a method whose mark in the list leaves it out on systems for which it is a method; a
-/// system that finds fewer methods than suit it.
+/// system whose mark in its list leaves it with fewer methods than suit it.
 #[test]
 fn a_method_is_found_on_every_system_that_it_suits() {
     fn is_found<S: ByName>(system: &str, suit: &[(&str, bool)]) {
         assert_eq!(suit.len(), METHODS.len());
         for &(module, suits) in suit {
             let found = S::method_named(&module.replace('_', "-")).is_some();
-            assert_eq!(found, suits, "{module} on the system {system}");
+            assert_eq!(
+                found, suits,
+                "whether {module} is found on {system}, and whether it suits it: is its mark right \
+                 in src/methods/list.rs, and that of the system in src/systems/list.rs?"
+            );
         }
     }
     macro_rules! is_found {

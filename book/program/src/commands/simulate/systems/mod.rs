@@ -64,7 +64,8 @@ pub trait Simulated<const N: usize>: ByName<State: Components> + Sized {
     /// The row of a time (s) and a state.
     fn row(&self, t: f64, z: Self::State) -> [f64; N];
 
-    /// The system if it conserves its energy: `Some(self)`.
+    /// The system if it conserves its energy: `Some(self)`. The summary has the largest error of
+    /// it, in J.
     fn conserved(&self) -> Option<&dyn Hamiltonian<State = Self::State>> {
         None
     }
