@@ -26,6 +26,8 @@ macro_rules! blocks {
     (Suzuki4, $method:expr) => { blocks!(by its table, $method) };
     (BlanesMoan4, $method:expr) => { blocks!(by its table, $method) };
     (BlanesMoan6, $method:expr) => { blocks!(by its table, $method) };
+    (BlanesMoanSrkn6b, $method:expr) => { blocks!(by its table, $method) };
+    (BlanesMoanSrkn14a, $method:expr) => { blocks!(by its table, $method) };
     (Yoshida6, $method:expr) => { blocks!(by its table, $method) };
     (Yoshida8, $method:expr) => { blocks!(by its table, $method) };
     (KahanLi8, $method:expr) => { blocks!(by its table, $method) };

@@ -41,8 +41,11 @@ fn limit<const S: usize>(tableau: &ImplicitTableau<S>) -> f64 {
         let mut k = [[1.0_f64; 2]; S];
         for _ in 0..100 {
             for i in 0..S {
-                let [theta, omega] =
-                    [0, 1].map(|c| (0..S).map(|j| tableau.a[i][j].abs() * k[j][c]).sum::<f64>());
+                let [theta, omega] = [0, 1].map(|c| {
+                    (0..S)
+                        .map(|j| (tableau.b[j] * tableau.parts[i][j]).abs() * k[j][c])
+                        .sum::<f64>()
+                });
                 k[i] = [x * omega, x * theta];
             }
         }

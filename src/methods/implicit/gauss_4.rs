@@ -30,9 +30,9 @@ impl Info for Gauss4 {
 impl Gauss4 {
     /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
     /// degree 2.
-    pub const TABLEAU: ImplicitTableau<2> = ImplicitTableau {
-        a: [[0.25, -0.038_675_134_594_812_88], [0.538_675_134_594_812_9, 0.25]],
-        b: [0.5, 0.5],
-        c: [0.211_324_865_405_187_1, 0.788_675_134_594_812_9],
-    };
+    pub const TABLEAU: ImplicitTableau<2> = ImplicitTableau::symplectic(
+        [-0.077_350_269_189_625_76],
+        [0.5, 0.5],
+        [0.211_324_865_405_187_1, 0.788_675_134_594_812_9],
+    );
 }

@@ -30,5 +30,5 @@ impl Info for ImplicitMidpoint {
 impl ImplicitMidpoint {
     /// The coefficients, computed with 60 digits from the zeros of the Legendre polynomial of
     /// degree 1.
-    pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau { a: [[0.5]], b: [1.0], c: [0.5] };
+    pub const TABLEAU: ImplicitTableau<1> = ImplicitTableau::symplectic([], [1.0], [0.5]);
 }

@@ -6,11 +6,12 @@ use crate::integrate::Unsolved;
 use crate::systems::{Measurable, RateOf, System, Vector};
 
 /// The coefficients of an implicit Runge–Kutta method of `S` stages: kᵢ = f(t + cᵢ h, z + h Σⱼ aᵢⱼ
-/// kⱼ), and the step z + h Σ bᵢ kᵢ.
+/// kⱼ), and the step z + h Σ bᵢ kᵢ. No weight is zero.
 #[derive(Clone, Copy, Debug)]
 pub struct ImplicitTableau<const S: usize> {
-    /// The matrix aᵢⱼ.
-    pub a: [[f64; S]; S],
+    /// The matrix in parts of the weights: aᵢⱼ = bⱼ · `parts[i][j]`. A stage adds up the products
+    /// bⱼ kⱼ that the step adds up, with these before them.
+    pub parts: [[f64; S]; S],
     /// The weights bᵢ.
     pub b: [f64; S],
     /// The nodes cᵢ, in steps.
@@ -27,6 +28,8 @@ const USUAL: u32 = 30;
 /// The slopes of a step, for each lane if there are any.
 struct Slopes<Sys: System<State: Measurable>, const S: usize> {
     k: [RateOf<Sys>; S],
+    /// The slopes times their weights, bⱼ kⱼ.
+    weighted: [RateOf<Sys>; S],
     /// Where they solve the equations.
     solved: MaskOf<Sys>,
     /// The sweeps that were taken.
@@ -41,6 +44,39 @@ pub(super) type NumberOf<Sys> = <<Sys as System>::State as Measurable>::Number;
 type MaskOf<Sys> = <NumberOf<Sys> as Number>::Mask;
 
 impl<const S: usize> ImplicitTableau<S> {
+    /// The table of a symplectic method, from its weights, its nodes and the parts `above` the
+    /// diagonal, row by row.
+    ///
+    /// A Runge–Kutta method is symplectic if bᵢaᵢⱼ + bⱼaⱼᵢ = bᵢbⱼ (Sanz-Serna 1988; Hairer, Lubich,
+    /// Wanner, *Geometric Numerical Integration*, Theorem VI.4.3): the parts on the diagonal are ½,
+    /// and two that mirror each other in it add up to 1. Here they do so exactly, because the parts
+    /// are rounded to multiples of 2⁻⁵²: the method that is left is symplectic, and not Gauss's in
+    /// the last digit. With the nearest number to each aᵢⱼ it would be the other way round. The
+    /// condition would be missed by the same last digits in each step, and so the energy would
+    /// drift (Hairer, McLachlan, Razakarivony, *BIT* 48 (2008) 231–243).
+    pub(super) const fn symplectic<const ABOVE: usize>(
+        above: [f64; ABOVE],
+        b: [f64; S],
+        c: [f64; S],
+    ) -> Self {
+        assert!(2 * ABOVE == S * (S - 1), "a number for each place above the diagonal");
+        let mut parts = [[0.5; S]; S];
+        let (mut i, mut next) = (0, 0);
+        while i < S {
+            let mut j = i + 1;
+            while j < S {
+                assert!(above[next].abs() < 0.5);
+                // Between 1 and 2 a number is a multiple of 2⁻⁵².
+                parts[i][j] = (1.5 + above[next]) - 1.5;
+                parts[j][i] = 1.0 - parts[i][j];
+                next += 1;
+                j += 1;
+            }
+            i += 1;
+        }
+        Self { parts, b, c }
+    }
+
     /// The state one step `h` (s) after `z` at time `t` (s), and why it is none if the equations
     /// are not solved: every component, in lanes that of each lane without a solution, is then NaN.
     ///
@@ -61,9 +97,9 @@ impl<const S: usize> ImplicitTableau<S> {
     where
         Sys: System<State: Measurable>,
     {
-        let Slopes { k, solved, sweeps, change, scale } =
+        let Slopes { k, weighted, solved, sweeps, change, scale } =
             self.solve(system, t, h, z, first, iteration);
-        let displacement = sum(&self.b, &k) * h;
+        let displacement = sum(&[1.0; S], &weighted) * h;
         if solved.all() {
             return (z + displacement, None);
         }
@@ -76,7 +112,7 @@ impl<const S: usize> ImplicitTableau<S> {
     /// from which the iteration begins.
     #[inline(always)]
     fn is_explicit(&self, i: usize) -> bool {
-        self.a[i].iter().all(|a| *a == 0.0)
+        self.parts[i].iter().all(|part| *part == 0.0)
     }
 
     // ANCHOR: step
@@ -97,6 +133,7 @@ impl<const S: usize> ImplicitTableau<S> {
         let (nothing, infinity) = (state.splat(0.0), state.splat(f64::INFINITY));
         let mut slopes = Slopes {
             k: [first; S],
+            weighted: self.b.map(|b| first * b),
             solved: infinity.at_most(nothing),
             sweeps: 0,
             change: infinity,
@@ -129,15 +166,16 @@ impl<const S: usize> ImplicitTableau<S> {
     ) where
         Sys: System<State: Measurable>,
     {
-        let Slopes { k, solved, sweeps, change, scale } = slopes;
+        let Slopes { k, weighted, solved, sweeps, change, scale } = slopes;
         (*change, *scale) = (state.splat(0.0), state / h.abs());
         for i in (0..S).filter(|i| !self.is_explicit(*i)) {
-            let slope = sum(&self.a[i], k);
+            let slope = sum(&self.parts[i], weighted);
             let new = system.rate(t + self.c[i] * h, z + slope * h);
             *change = *change + z.size_of(new + k[i] * -1.0);
             *scale = *scale + z.size_of(new);
             // Stored at once, so that the later stages of this sweep use it.
             k[i] = Sys::State::unless(*solved, k[i], new);
+            weighted[i] = k[i] * self.b[i];
         }
         *sweeps += 1;
     }
@@ -164,12 +202,12 @@ impl<const S: usize> ImplicitTableau<S> {
         while slopes.sweeps < iteration.sweeps {
             let before = slopes.change;
             self.sweep(system, t, h, z, state, &mut slopes);
-            let Slopes { ref k, solved, change, scale, .. } = slopes;
+            let Slopes { ref weighted, solved, change, scale, .. } = slopes;
             let stalls = before.at_most(change);
             let mut rests = stalls & is_rounding(change, scale);
             // Costly, and wanted only where it decides.
             if !(solved | rests).all() {
-                rests = rests | stalls & self.is_noise(system, t, h, z, k, change);
+                rests = rests | stalls & self.is_noise(system, t, h, z, weighted, change);
             }
             slopes.solved = solved | rests | iteration.suffices(change, scale);
             if slopes.solved.all() {
@@ -181,7 +219,7 @@ impl<const S: usize> ImplicitTableau<S> {
         slopes
     }
 
-    /// Whether the `change` of the slopes `k` by a sweep is what rounding the state `z` changes in
+    /// Whether the `change` by a sweep of the slopes, which are `weighted`, is what rounding the state `z` changes in
     /// them, whatever the units of its components: the sum and the scale in `solve` add numbers of
     /// different units, and where the time unit is long, a large angle rounds the force by more
     /// than a part of that scale.
@@ -191,7 +229,7 @@ impl<const S: usize> ImplicitTableau<S> {
         t: f64,
         h: f64,
         z: Sys::State,
-        k: &[RateOf<Sys>; S],
+        weighted: &[RateOf<Sys>; S],
         change: NumberOf<Sys>,
     ) -> MaskOf<Sys>
     where
@@ -199,7 +237,7 @@ impl<const S: usize> ImplicitTableau<S> {
     {
         let mut noise = change.splat(0.0);
         for i in 0..S {
-            let displacement = sum(&self.a[i], k) * h;
+            let displacement = sum(&self.parts[i], weighted) * h;
             let rate = |z: Sys::State| system.rate(t + self.c[i] * h, z + displacement);
             let here = rate(z) * -1.0;
             // One component at a time: together, their changes could cancel.
@@ -238,12 +276,12 @@ impl Iteration {
     }
 }
 
-/// Σ weightᵢ kᵢ.
+/// Σ partⱼ bⱼ kⱼ.
 #[inline(always)]
-fn sum<D: Vector, const S: usize>(weights: &[f64; S], k: &[D; S]) -> D {
-    let mut sum = k[0] * weights[0];
-    for i in 1..S {
-        sum = sum + k[i] * weights[i];
+fn sum<D: Vector, const S: usize>(parts: &[f64; S], weighted: &[D; S]) -> D {
+    let mut sum = weighted[0] * parts[0];
+    for j in 1..S {
+        sum = sum + weighted[j] * parts[j];
     }
     sum
 }

@@ -32,5 +32,5 @@ impl Info for Trapezoidal {
 impl Trapezoidal {
     /// The coefficients.
     pub const TABLEAU: ImplicitTableau<2> =
-        ImplicitTableau { a: [[0.0, 0.0], [0.5, 0.5]], b: [0.5, 0.5], c: [0.0, 1.0] };
+        ImplicitTableau { parts: [[0.0, 0.0], [1.0, 1.0]], b: [0.5, 0.5], c: [0.0, 1.0] };
 }

@@ -6,6 +6,8 @@
 
 mod blanes_moan_4;
 mod blanes_moan_6;
+mod blanes_moan_srkn_14a;
+mod blanes_moan_srkn_6b;
 mod deuflhard;
 mod forest_ruth;
 mod kahan_li_8;
@@ -20,6 +22,8 @@ mod yoshida_8;
 
 pub use blanes_moan_4::BlanesMoan4;
 pub use blanes_moan_6::BlanesMoan6;
+pub use blanes_moan_srkn_6b::BlanesMoanSrkn6b;
+pub use blanes_moan_srkn_14a::BlanesMoanSrkn14a;
 pub use deuflhard::{Deuflhard, Rotating};
 pub use forest_ruth::ForestRuth;
 pub use kahan_li_8::KahanLi8;

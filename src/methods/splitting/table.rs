@@ -7,7 +7,8 @@ use crate::systems::Separable;
 ///
 /// The first kick of a step needs the force that the last kick of the step before has just
 /// evaluated, so the two are merged into one. A step thus costs as many evaluations as it has
-/// drifts.
+/// drifts. Where both are 0, the method begins and ends with a drift: then those two are merged,
+/// and a step costs as many evaluations as it has kicks that are not 0.
 ///
 /// ```
 /// use pendula::methods::Splitting;
@@ -33,8 +34,8 @@ use crate::systems::Separable;
 /// # Ok::<(), pendula::Error>(())
 /// ```
 pub trait Splitting {
-    /// The kicks, in units of the step: one more than there are drifts. Where the method ends with
-    /// a drift, the last is 0.
+    /// The kicks, in units of the step: one more than there are drifts. Where the method begins
+    /// with a drift, the first is 0, and where it ends with one, the last.
     const KICKS: &'static [f64];
     /// The drifts, in units of the step.
     const DRIFTS: &'static [f64];
@@ -55,15 +56,46 @@ impl KicksAndDrifts {
         assert!(M::KICKS.len() == M::DRIFTS.len() + 1, "one kick more than drifts");
         Self { kicks: M::KICKS, drifts: M::DRIFTS }
     }
+
+    /// Whether the method begins and ends with a drift.
+    const fn drifts_first(&self) -> bool {
+        self.kicks[0] == 0.0 && self.kicks[self.drifts.len()] == 0.0
+    }
+
+    /// A step of a method that begins and ends with a drift, from and to one drift `ahead`.
+    #[inline(always)]
+    fn step_from_a_drift<S: Separable>(
+        &self,
+        system: &S,
+        t: f64,
+        h: f64,
+        ahead: &mut S::State,
+    ) -> S::State {
+        let Self { kicks, drifts } = *self;
+        let last = drifts.len() - 1;
+        let (mut z, mut elapsed) = (*ahead, 0.0);
+        for i in 0..last {
+            elapsed += drifts[i];
+            z = system.kick(z, system.force(t + elapsed * h, z), kicks[i + 1] * h);
+            if i + 1 < last {
+                z = system.drift(z, drifts[i + 1] * h);
+            }
+        }
+        *ahead = system.drift(z, (drifts[last] + drifts[0]) * h);
+        system.drift(z, drifts[last] * h)
+    }
 }
 
 // ANCHOR: step
 impl<S: Separable> Method<S> for KicksAndDrifts {
-    /// The state one kick ahead.
+    /// The state one kick ahead, or one drift where a drift comes first.
     type Carry = S::State;
 
     #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
+        if self.drifts_first() {
+            return system.drift(z, self.drifts[0] * h);
+        }
         system.kick(z, system.force(t, z), self.kicks[0] * h)
     }
 
@@ -72,6 +104,9 @@ impl<S: Separable> Method<S> for KicksAndDrifts {
         let Self { kicks, drifts } = *self;
         let last = drifts.len() - 1;
         let (mut z, mut elapsed) = (*ahead, 0.0);
+        if self.drifts_first() {
+            return self.step_from_a_drift(system, t, h, ahead);
+        }
         for i in 0..last {
             z = system.drift(z, drifts[i] * h);
             elapsed += drifts[i];

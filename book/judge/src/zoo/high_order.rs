@@ -68,7 +68,8 @@ impostor! {
         let table = Gauss4::TABLEAU;
         let mut k = [system.rate(t, z); 2];
         for i in 0..2 {
-            let slope = k[0] * table.a[i][0] + k[1] * table.a[i][1];
+            let [one, other] = [0, 1].map(|j| table.b[j] * table.parts[i][j]);
+            let slope = k[0] * one + k[1] * other;
             k[i] = system.rate(t + table.c[i] * h, z + slope * h);
         }
         z + (k[0] * table.b[0] + k[1] * table.b[1]) * h
