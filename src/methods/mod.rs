@@ -49,12 +49,14 @@
 pub mod implicit;
 mod list;
 pub mod processed;
+mod projected;
 pub mod runge_kutta;
 pub mod splitting;
 pub mod taylor;
 
 pub use implicit::*;
 pub use processed::*;
+pub use projected::Projected;
 pub use runge_kutta::*;
 pub use splitting::*;
 pub use taylor::*;
