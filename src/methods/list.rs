@@ -22,7 +22,6 @@ macro_rules! listed_methods {
             separable ruth_3::Ruth3,
             separable forest_ruth::ForestRuth,
             separable suzuki_4::Suzuki4,
-            separable blanes_moan_4::BlanesMoan4,
             separable blanes_moan_srkn_6b::BlanesMoanSrkn6b,
             separable yoshida_6::Yoshida6,
             separable blanes_moan_6::BlanesMoan6,

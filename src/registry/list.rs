@@ -24,7 +24,6 @@ impl<M: Info> Info for Listed<M> {
 #[cfg(feature = "table")]
 macro_rules! blocks {
     (Suzuki4, $method:expr) => { blocks!(by its table, $method) };
-    (BlanesMoan4, $method:expr) => { blocks!(by its table, $method) };
     (BlanesMoan6, $method:expr) => { blocks!(by its table, $method) };
     (BlanesMoanSrkn6b, $method:expr) => { blocks!(by its table, $method) };
     (BlanesMoanSrkn14a, $method:expr) => { blocks!(by its table, $method) };

@@ -9,6 +9,7 @@ mod known_answers;
 mod linear;
 mod order;
 mod order_conditions;
+mod projected;
 mod properties;
 mod registry;
 mod step;

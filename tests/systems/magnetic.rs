@@ -2,7 +2,7 @@
 //! and Boris's rotation, which loses nothing.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use pendula::methods::{BlanesMoan4, BlanesMoan6, Dop853, StormerVerlet};
+use pendula::methods::{BlanesMoan6, BlanesMoanSrkn6b, Dop853, StormerVerlet};
 use pendula::{Grid, Method, Separable, System, integrate};
 use pendula_dynamics::kepler::{Planar, PlanePhase};
 use rstest::rstest;
@@ -242,7 +242,7 @@ fn boris_keeps_the_speed_and_the_volume() {
 /// of the step before.
 #[rstest]
 #[case(StormerVerlet, 2.0)]
-#[case(BlanesMoan4, 4.0)]
+#[case(BlanesMoanSrkn6b, 4.0)]
 #[case(BlanesMoan6, 4.0)]
 fn a_kick_that_rotates_suits_the_methods_of_kicks_and_drifts(
     #[case] method: impl Method<Rotating>,

@@ -21,8 +21,8 @@ END = mpf(4)
 STARTS = [("1", "0"), ("-2", "0.5"), ("0.5", "2.5")]
 LADDER = [n * 2**k for k in range(14) for n in (2, 3)]
 # The laws of the lower orders have closed forms, in error_constant.rs.
-CONSTANTS = """ruth-3 forest-ruth suzuki-4 blanes-moan-4 yoshida-6 blanes-moan-6 yoshida-8
-kahan-li-8 processed-6""".split()
+CONSTANTS = """ruth-3 forest-ruth suzuki-4 blanes-moan-srkn-6b yoshida-6 blanes-moan-6
+blanes-moan-srkn-14a yoshida-8 kahan-li-8 processed-6""".split()
 ENERGIES = [*CONSTANTS[:-1], "processed-4", "processed-6"]
 # The library's names, where they are others.
 OTHERS = {"dormand-prince": "dormand-prince-5"}
@@ -45,6 +45,36 @@ METHODS["blanes-moan-6"]["let"] = {
     "k": "-0.1270492126254169156625",
     "l": "-0.246331761062075404195",
     "m": "0.3572088727959277526199",
+}
+
+
+METHODS["blanes-moan-srkn-6b"] |= {
+    "let": {
+        "b": "0.08298440641740493495862526",
+        "i": "0.245298957184271063482086",
+        "c": "0.39630980149836784721628",
+        "j": "0.6048726657110800562423833",
+        "d": "-0.03905630492234830971063228",
+    },
+    "lengths": "b i c j d 1/2-i-j 1-2*(b+c+d)",
+}
+METHODS["blanes-moan-srkn-14a"] |= {
+    "let": {
+        "i": "0.03785931984061096782640062",
+        "b": "0.09171915262446202777480451",
+        "j": "0.1026356331024364362158767",
+        "c": "0.183983170005005035275284",
+        "k": "-0.02586788826655816328858962",
+        "d": "-0.0565343658328893983510649",
+        "l": "0.3142414030714463160835238",
+        "e": "0.004914688774711883757246623",
+        "m": "-0.1301444595174152005644424",
+        "f": "0.143761127168361660649558",
+        "n": "0.1064177003695413360922859",
+        "g": "0.3285676937468041125824975",
+        "o": "-0.008794243128510227654644768",
+    },
+    "lengths": "i b j c k d l e m f n g o 1/2-b-c-d-e-f-g 1-2*(i+j+k+l+m+n+o)",
 }
 
 

@@ -3,11 +3,12 @@
 use crate::methods::splitting::Splitting;
 use crate::methods::{Info, MethodInfo};
 
-/// Blanes and Moan's method of order 4 for forces that do not depend on the velocity.
+/// Blanes and Moan's method of order 4, made for forces that do not depend on the velocity: six
+/// stages, where three would suffice, for a small error.
 ///
-/// Because the kinetic energy is quadratic, the error of order 5 has fewer terms than for other
-/// splittings, and the three parameters that order 4 leaves free make those small. Order 4,
-/// symplectic, symmetric, six force evaluations a step. The coefficients are the nearest to those
+/// Where the kinetic energy is quadratic, the leading error, of order 5, has fewer terms than for
+/// other splittings, and three parameters are chosen so that those are small. On other splittings
+/// it is of order 4 as well. Order 4, symplectic, symmetric, six force evaluations a step. The coefficients are the nearest to those
 /// printed that meet the order conditions beyond the printed digits. S. Blanes, P. C. Moan:
 /// Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström methods, *Journal of
 /// Computational and Applied Mathematics* 142 (2002), 313–330, doi:10.1016/S0377-0427(01)00492-7,

@@ -4,7 +4,6 @@
 //! Symplectic Euler and the two Verlet methods are written out; the others are tables of kicks and
 //! drifts, a [`Splitting`] each.
 
-mod blanes_moan_4;
 mod blanes_moan_6;
 mod blanes_moan_srkn_14a;
 mod blanes_moan_srkn_6b;
@@ -20,7 +19,6 @@ mod table;
 mod yoshida_6;
 mod yoshida_8;
 
-pub use blanes_moan_4::BlanesMoan4;
 pub use blanes_moan_6::BlanesMoan6;
 pub use blanes_moan_srkn_6b::BlanesMoanSrkn6b;
 pub use blanes_moan_srkn_14a::BlanesMoanSrkn14a;

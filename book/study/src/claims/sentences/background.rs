@@ -39,8 +39,11 @@ pub(super) const MEASURED: &[(&str, Measure)] = &[
         shows(order, Fixed(2), confirms((order, order), 4.0))
     }),
     ("A.optimal", |study| {
-        let methods: [(&dyn AnyMethod, f64); 3] =
-            [(&InSteps(StormerVerlet), 1.0), (&InSteps(Rk4), 4.0), (&InSteps(BlanesMoan4), 6.0)];
+        let methods: [(&dyn AnyMethod, f64); 3] = [
+            (&InSteps(StormerVerlet), 1.0),
+            (&InSteps(Rk4), 4.0),
+            (&InSteps(BlanesMoanSrkn6b), 6.0),
+        ];
         let [verlet, others @ ..] =
             methods.map(|(method, evaluations)| errors_for_work(method, evaluations));
         let energy = others.map(|[energy, _]| energy / row!(study.long_run, StormerVerlet).drift);

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::methods::{
-    BlanesMoan4, ForestRuth, ForwardEuler, Gauss4, PositionVerlet, Rk4, StormerVerlet,
+    BlanesMoanSrkn6b, ForestRuth, ForwardEuler, Gauss4, PositionVerlet, Rk4, StormerVerlet,
     SymplecticEuler,
 };
 use pendula::metrics::order::slopes;

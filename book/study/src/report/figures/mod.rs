@@ -156,7 +156,7 @@ const STYLED: [&str; 28] = [
     "ruth-3",
     "forest-ruth",
     "suzuki-4",
-    "blanes-moan-4",
+    "blanes-moan-srkn-6b",
     "yoshida-6",
     "blanes-moan-6",
     "yoshida-8",
