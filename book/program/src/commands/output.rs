@@ -29,11 +29,10 @@ pub struct Streams<'a> {
 /// How long a row waits at most when another one comes.
 const SELDOM: Duration = Duration::from_millis(100);
 
-/// The bytes of as many rows as go out at once. Linux passes so many on to a pipe all or not at
-/// all, so that what reads there sees whole rows, also of a process that is ended in the midst of
-/// them. (Other systems promise that of 512.) Each row is one write, so that a buffer has whole
-/// ones.
-const AT_ONCE: usize = 4096;
+/// The bytes of as many rows as go out at once; each row is one write, so that a buffer has whole
+/// ones. A system passes so many on to a pipe all or not at all (`PIPE_BUF`): what reads there sees
+/// whole rows, also of a process that is ended in the midst of them.
+const AT_ONCE: usize = if cfg!(target_os = "linux") { 4096 } else { 512 };
 
 /// Where rows go, a few at once.
 pub fn buffered<W: Write>(out: W) -> BufWriter<W> {

@@ -1,4 +1,4 @@
-//! Files that appear only when they are whole; several that [change](change) together.
+//! Files that appear only when they are whole; several that [change] together.
 
 use std::fs::{File, Metadata};
 use std::io::{self, Write};
