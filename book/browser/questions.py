@@ -118,15 +118,10 @@ def sources(page: str) -> dict[str, dict]:
 def truths() -> dict[str, list[str]]:
     """What the study computes for each question: what is right, what counts, the mistakes."""
     text = (ROOT / "snapshots/1_questions.snap").read_text()
-    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines()]
-    return {row[0].strip("`"): row[1:] for row in rows if row and row[0].startswith("`")}
-
-
-def number(text: str) -> float:
-    """A number as the tables print it, such as 1.00 × 10³."""
-    raised = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-    mantissa, _, power = text.partition(" × 10")
-    return float(mantissa) * 10.0 ** int(power.translate(raised) or 0)
+    lines = [line for line in text.splitlines() if line.startswith("| ")]
+    # Below the header, a rule and what the columns hold.
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines[3:]]
+    return {row[0]: row[1:] for row in rows}
 
 
 class Keys:
@@ -202,10 +197,10 @@ class Question:
             ways = [(it["is"], it["is"] == self.right, it["because"]) for it in source["choice"]]
         elif "number" in source:
             told = {it["is"]: it["because"] for it in source["number"].get("mistake", [])}
-            ways = [(repr(number(text)), False, told.pop(name))
+            ways = [(repr(float(text)), False, told.pop(name))
                     for name, text in self.mistakes.items()]
             assert not told, self.name
-            ways += [(repr(number(self.right)), True, source["number"]["because"])]
+            ways += [(repr(float(self.right)), True, source["number"]["because"])]
         else:
             order, ways = self.right.split(", "), []
             for pair in source["pair"]:
@@ -307,7 +302,7 @@ def odd_numbers(question: Question):
     low, high = question.part.run(
         "(({low, high}) => [low, high].map(Number))(all('[data-right]')[0].dataset)")
     assert question.counts == f"{low:.4g} to {high:.4g}" or all(
-        abs(number(text) / exact - 1) < 6e-4
+        abs(float(text) / exact - 1) < 6e-4
         for text, exact in zip(question.counts.split(" to "), [low, high], strict=True))
     with_comma = f"{(low + high) / 2:.9f}".replace(".", ",")
     ends = [(repr(low), "Right"), (repr(high), "Right"), (with_comma, "Right"),

@@ -20,6 +20,7 @@ mod questions;
 mod readme;
 mod rounding;
 mod snapshots;
+mod tables;
 mod tolerance;
 mod transcription;
 mod typed;

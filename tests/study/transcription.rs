@@ -120,7 +120,7 @@ fn sentences() -> [Table; 3] {
     let tables = parts.map(|part| {
         let lines = part.lines().filter(|line| line.starts_with('|'));
         let rows: String = lines.map(|line| format!("{line}\n")).collect();
-        Table::from_markdown(&rows).expect("even rows")
+        Table::read(&rows).expect("even rows")
     });
     tables.collect::<Vec<_>>().try_into().expect("three tables")
 }
@@ -144,7 +144,8 @@ fn every_sentence_is_judged_or_said_not_to_be() {
     let mut made = BTreeSet::new();
     let mut in_part = Vec::new();
     for row in judged.rows() {
-        let [place, _, ids] = &row[..] else { panic!("{row:?}") };
+        let [place, _, ids] = row.cells else { panic!("{row:?}") };
+        let (place, ids) = (&place.text, &ids.text);
         let whole = ids.trim_end_matches("in part");
         if whole != ids {
             in_part.push(format!("{place}, rest"));
@@ -159,7 +160,7 @@ fn every_sentence_is_judged_or_said_not_to_be() {
         assert!(made.contains(claim.id.as_str()), "no sentence makes {}", claim.id);
     }
 
-    let places = unjudged.rows().iter().map(|row| row[0].clone());
+    let places = unjudged.rows().map(|row| row.id().to_string());
     let (rests, whole): (Vec<String>, Vec<String>) =
         places.partition(|place| place.ends_with(", rest"));
     assert_eq!(rests, in_part, "the rests of sentences that are judged in part");

@@ -25,31 +25,36 @@ impl Digits {
         })
     }
 
-    /// `value` as text, rounded to nearest.
+    /// `value` as text, rounded to nearest and typeset.
     pub fn print(self, value: f64) -> String {
+        typeset(&self.literal(value))
+    }
+
+    /// `value` as a program writes it, rounded to nearest: `-5.300`, `2.01e2`.
+    pub fn literal(self, value: f64) -> String {
         match self {
-            Self::Scientific(digits) => {
-                let text = format!("{value:.*e}", digits - 1);
-                match text.split_once('e') {
-                    Some((mantissa, exponent)) => {
-                        format!("{} × 10{}", minus(mantissa), superscript(exponent))
-                    }
-                    None => minus(&text),
-                }
-            }
-            Self::Fixed(decimals) => minus(&format!("{value:.decimals$}")),
+            Self::Scientific(digits) => format!("{value:.*e}", digits - 1),
+            Self::Fixed(decimals) => format!("{value:.decimals$}"),
             Self::Significant(digits) => {
                 // The exponent after rounding: 9.9996 to four digits is 10.00.
                 let rounded = format!("{value:.*e}", digits - 1);
                 let exponent = rounded.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok());
                 match exponent {
                     Some(exponent @ -4..=5) if exponent < digits as i32 => {
-                        Self::Fixed((digits as i32 - 1 - exponent) as usize).print(value)
+                        Self::Fixed((digits as i32 - 1 - exponent) as usize).literal(value)
                     }
-                    _ => Self::Scientific(digits).print(value),
+                    _ => rounded,
                 }
             }
         }
+    }
+}
+
+/// A literal as the book prints it, with a true minus sign and a power of ten: 2.01 × 10².
+pub fn typeset(literal: &str) -> String {
+    match literal.split_once('e') {
+        Some((mantissa, exponent)) => format!("{} × 10{}", minus(mantissa), superscript(exponent)),
+        None => minus(literal),
     }
 }
 

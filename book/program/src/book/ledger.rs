@@ -26,8 +26,6 @@ pub struct Entry {
     pub measured: Option<String>,
     /// The result of comparing the two.
     pub verdict: Option<String>,
-    /// What it is: a cell or a sentence of the paper; a reading or a finding, which are not in it.
-    pub kind: String,
 }
 
 /// Where values come from.
@@ -106,7 +104,6 @@ impl Ledger for Paper {
             stated: claim.stated.map(|_| claim.stated_text()),
             measured,
             verdict: Some(claim.judged().to_string()),
-            kind: claim.kind().to_string(),
         })
     }
 

@@ -12,7 +12,6 @@ use regex::Regex;
 pub mod build;
 pub mod ledger;
 pub mod locate;
-mod number;
 mod page_files;
 pub mod preprocess;
 pub mod progress;

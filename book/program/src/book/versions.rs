@@ -70,17 +70,14 @@ impl File {
     }
 }
 
-/// The kind of the snapshot `name` with this anchor. The hashes once had that of a table, and what
-/// was judged of other people's solvers was once a snapshot.
+/// The kind of the snapshot `name` with this anchor.
 fn kind(name: &str, anchor: &str) -> Option<Kind> {
     let recorded = snapshots::RECORDED.iter().any(|(recorded, _)| *recorded == name);
     Some(match anchor {
-        "table" if name == "bits" => Kind::Hashes,
         "table" if recorded => Kind::Recorded,
         "table" => Kind::Table,
         "figure" => Kind::Figure,
         "hashes" => Kind::Hashes,
-        "judged" => Kind::Recorded,
         "diff" => Kind::Example,
         _ => return None,
     })

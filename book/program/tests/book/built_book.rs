@@ -289,7 +289,6 @@ fn the_papers_claims_come_through() {
     assert_eq!(entry.stated.as_deref(), Some("2.01 × 10²"));
     assert!(entry.measured.is_some_and(|text| text.starts_with("2.0118")));
     assert_eq!(entry.verdict.as_deref(), Some("reproduced"));
-    assert_eq!(entry.kind, "cell");
     assert_eq!(PAPER.entry("T4.no.such"), None);
     let unstated = PAPER.claims().iter().find(|claim| claim.stated.is_none()).unwrap();
     assert_eq!(PAPER.entry(&unstated.id).unwrap().stated, None);

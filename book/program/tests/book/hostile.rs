@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use pendula_program::book::ledger::Entry;
 use pendula_program::book::preprocess::chapter::Setter;
 use pendula_program::book::preprocess::sources::Tests;
-use pendula_program::book::preprocess::{captions, claims};
+use pendula_program::book::preprocess::{captions, claims, tables};
 use pendula_program::output::failure::Failure;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -36,7 +36,6 @@ fn ledger(id: &str) -> Option<Entry> {
         stated: value.map(str::to_string),
         measured: value.map(str::to_string),
         verdict: Some("reproduced".to_string()),
-        kind: "cell".to_string(),
     };
     match id {
         "T4.rk4.0.01" => Some(entry(Some("2.34e-7"))),
@@ -66,7 +65,7 @@ const SNIPPETS: &[&str] = &[
     // Code, lists and tables.
     "`", "```", "```rust\n", "~~~", "    ", "\t", "\n", "\n\n", "\r\n", "> ", "* ", "1. ", "- [ ] ",
     "|", "|---|\n", "| Claim | verdict |\n|---|---|\n| `T4.rk4.0.01` | reproduced |\n",
-    "| Claim |\n|--:|\n| `no` |\n", "Table: A caption.\n\n", "Table[RK4]: x\n\n", "Table[]:",
+    "| Claim |\n|--:|\n| `no` |\n", "| id | a |\n| -- | -- |\n| * | T1.* |\n| b | ≠ 1e-3 |\n", "Table: A caption.\n\n", "Table[RK4]: x\n\n", "Table[]:",
     // Other markup.
     "<div>", "</main>", "<script>x</script>", "<!-- ", " -->", "[a](b.md", "![](", "[^1]",
     "[^1]: note", "# ", "## \n", "\\", "&", "&nbsp;", "&#0;", "*", "**", "_",
@@ -91,8 +90,9 @@ fn spoilt_chapter() -> impl Strategy<Value = String> {
 fn set(text: &str) -> anyhow::Result<String> {
     let setter = Setter::new(&ledger, &TESTS, "<figure>".to_string());
     let mut quoted = BTreeSet::new();
-    let text = setter.set(&captions::set(text)?, "../", &mut quoted)?;
-    claims::set(&text, &ledger, &claims::Quotes::new())
+    let text = captions::set(&tables::set(text)?)?;
+    let text = setter.set(&text, "../", &mut quoted)?;
+    claims::set(&text, &claims::Quotes::new())
 }
 
 proptest! {

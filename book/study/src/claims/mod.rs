@@ -14,7 +14,7 @@ use core::fmt::{self, Display};
 pub use predictions::{Prediction, predictions};
 use serde::Deserialize;
 
-use crate::digits::{Digits, rounds_to};
+use crate::digits::{Digits, rounds_to, typeset};
 use crate::experiments::{PaperMethod, Study};
 
 /// What became of a claim. [`Verdict::meaning`] says what each is: to who asks the program, in the
@@ -228,17 +228,23 @@ impl Claim {
     pub fn stated_text(&self) -> String {
         match self.stated {
             None => "—".to_string(),
-            Some(stated) => match (Digits::of(stated), stated.parse::<f64>()) {
-                (Some(format), Ok(value)) => format.print(value),
-                _ => stated.to_string(),
-            },
+            Some(stated) if stated.parse::<f64>().is_ok() => typeset(stated),
+            Some(words) => words.to_string(),
         }
     }
 
-    /// What is measured, with the digits that can be defended; a dash where nothing is.
+    /// What is measured, with the digits that can be defended, typeset; a dash where nothing is.
     pub fn measured_text(&self) -> String {
+        match self.measured {
+            Measured::Number(value, format) => format.print(value),
+            _ => self.measured_literal(),
+        }
+    }
+
+    /// The same, with a number as a program writes it.
+    pub fn measured_literal(&self) -> String {
         match &self.measured {
-            Measured::Number(value, format) => format.print(*value),
+            Measured::Number(value, format) => format.literal(*value),
             Measured::Text(text) => text.clone(),
             Measured::Nothing => "—".to_string(),
         }
@@ -249,6 +255,12 @@ impl Claim {
 /// a quantity. The cells of Table 7, which has no such rows, are `T7.Texact` and so on.
 pub fn cell_id(table: u32, row: PaperMethod, column: impl Display) -> String {
     format!("T{table}.{}.{column}", row.id())
+}
+
+/// The method of the row that the cell with this id stands in, if it is one of [`cell_id`].
+pub fn method_of(id: &str) -> Option<PaperMethod> {
+    let row = id.strip_prefix('T')?.split('.').nth(1)?;
+    PaperMethod::ALL.into_iter().find(|method| method.id() == row)
 }
 
 /// The row of the method `id` in a table of rows.

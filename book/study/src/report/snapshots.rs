@@ -86,7 +86,7 @@ impl<'a> Snapshot<'a> {
         Self { name, kind, about, content: LazyLock::new(Box::new(content)) }
     }
 
-    /// The content between its anchors: a table in Markdown, a figure as HTML, or a difference in a
+    /// The content between its anchors: a table as data, a figure as HTML, or a difference in a
     /// fence.
     pub fn content(&self) -> &str {
         &self.content
@@ -101,7 +101,7 @@ impl<'a> Snapshot<'a> {
 }
 
 fn table<'a>(name: &str, about: &str, table: impl FnOnce() -> Table + Send + 'a) -> Snapshot<'a> {
-    Snapshot::new(name, Kind::Table, about, move || table().to_markdown())
+    Snapshot::new(name, Kind::Table, about, move || table().to_data())
 }
 
 /// All that are computed, in the order in which they are best reviewed.
@@ -192,14 +192,14 @@ fn a_change(study: &Study) -> String {
             row.drift = STEPS.map(|step| convergence::drift(&InSteps(PositionVerlet), step));
         }
     }
-    // Every other step, so that the example fits on a page.
+    // Every other step, and no ids, so that the example fits on a page.
     let narrow = |line: &str| {
         let cells: Vec<&str> = line.split('|').collect();
-        [0, 1, 2, 3, 5, 7, 8].map(|column| cells[column]).join("|") + "\n"
+        [0, 2, 3, 4, 6, 8, 9].map(|column| cells[column]).join("|") + "\n"
     };
     let table = |study| -> String {
         let table = tables::table(&Ledger::of_the_tables(study), 4).expect("a table of the paper");
-        table.to_markdown().lines().map(narrow).collect()
+        table.to_data().lines().filter(|line| !line.starts_with("| * ")).map(narrow).collect()
     };
     let (before, after) = (table(study), table(&changed));
     let rows =

@@ -1,154 +1,390 @@
-//! Tables as Markdown and as aligned text.
+//! Tables of typed cells: as data in a snapshot, as Markdown in the book, as text for the terminal.
+//!
+//! In a snapshot a table stands between bars, so that a difference of it reads like the table:
+//!
+//! ```text
+//! | id | Method        |            order | energy             |
+//! | -- | ------------- | ---------------: | ------------------ |
+//! | *  |               | order T2.*.order | energy T2.*.behav  |
+//! | fe | Forward Euler |                1 | ≠ Drift with falls |
+//! ```
+//!
+//! The first column names each row; under the heading `id` it is for programs, and the book leaves
+//! it out. The row `*` says what the columns hold: a [`Quantity`], and the claims that their cells
+//! are the measurements of, where `*` stands for the row's name. Numbers stand there as programs
+//! write them, and ≠ before a cell says that it is not what it should be.
 
-/// A table: a header and rows of the same width. The first column names the row; the others hold
-/// values, flush right, but for the last ones, which may hold remarks.
+use std::fmt::{self, Display};
+
+use crate::digits::typeset;
+
+/// What the cells of a column are to who reviews them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The order of a method, as measured.
+    Order,
+    /// The order that a method should have.
+    Claimed,
+    /// A slope of the error, which should be the order.
+    Slope,
+    /// Whether a method is symplectic: yes or no.
+    Symplectic,
+    /// What the energy does.
+    Energy,
+    /// What became of a claim, and why.
+    Verdict,
+}
+
+impl Quantity {
+    const ALL: [Self; 6] =
+        [Self::Order, Self::Claimed, Self::Slope, Self::Symplectic, Self::Energy, Self::Verdict];
+}
+
+impl Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Order => "order",
+            Self::Claimed => "claimed",
+            Self::Slope => "slope",
+            Self::Symplectic => "symplectic",
+            Self::Energy => "energy",
+            Self::Verdict => "verdict",
+        })
+    }
+}
+
+/// A column: its heading, and what it holds.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Column {
+    /// What stands above it.
+    pub heading: String,
+    /// What its cells are.
+    pub quantity: Option<Quantity>,
+    /// The id of the claim that a cell is the measurement of, with `*` for the name of its row.
+    pub claims: Option<String>,
+    /// Whether it is flush right, as values are.
+    is_value: bool,
+}
+
+impl Column {
+    /// The same, whose cells are this.
+    pub fn is(self, quantity: Quantity) -> Self {
+        Self { quantity: Some(quantity), ..self }
+    }
+
+    /// The same, whose cells are the measurements of these claims.
+    pub fn of(self, claims: impl Into<String>) -> Self {
+        Self { claims: Some(claims.into()), ..self }
+    }
+
+    /// The same, flush left.
+    pub fn in_words(self) -> Self {
+        Self { is_value: false, ..self }
+    }
+
+    /// The claim that the cell in the row `id` is the measurement of, if there is such a claim.
+    pub fn claim(&self, id: &str) -> Option<String> {
+        self.claims.as_ref().map(|claims| claims.replace('*', id))
+    }
+
+    /// Whether it is flush right, as values are.
+    pub fn is_value(&self) -> bool {
+        self.is_value
+    }
+
+    /// Whether its values may be marked.
+    fn is_judged(&self) -> bool {
+        self.is_value && (self.claims.is_some() || self.quantity == Some(Quantity::Slope))
+    }
+
+    /// What it holds, in words.
+    fn told(&self) -> String {
+        let quantity = self.quantity.map(|quantity| quantity.to_string());
+        quantity.into_iter().chain(self.claims.clone()).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Takes what [`Column::told`] has said.
+    fn hear(&mut self, told: &str) {
+        for word in told.split_whitespace() {
+            match Quantity::ALL.into_iter().find(|quantity| quantity.to_string() == word) {
+                None => self.claims = Some(word.to_string()),
+                quantity => self.quantity = quantity,
+            }
+        }
+    }
+}
+
+impl<T: Into<String>> From<T> for Column {
+    fn from(heading: T) -> Self {
+        Self { heading: heading.into(), quantity: None, claims: None, is_value: true }
+    }
+}
+
+/// What a cell says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Cell {
+    /// A number as programs write it, words, or both: `1.10e-5`, `15 ± 2`.
+    pub text: String,
+    /// Whether it is not what it should be.
+    pub differs: bool,
+}
+
+impl<T: Into<String>> From<T> for Cell {
+    fn from(text: T) -> Self {
+        Self { text: text.into(), differs: false }
+    }
+}
+
+/// A number with the digits that it is printed to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number {
+    /// Its value.
+    pub value: f64,
+    /// How many significant digits are printed.
+    pub digits: usize,
+}
+
+impl Number {
+    /// Reads a literal: `None` for words, among them `nan` and `inf`.
+    fn read(literal: &str) -> Option<Self> {
+        let is_number = literal.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        // "-nan" and 1e999 are numbers to Rust.
+        let value = literal.parse().ok().filter(|value: &f64| is_number && value.is_finite())?;
+        let mantissa = literal.split('e').next()?.trim_start_matches(['-', '0', '.']);
+        Some(Self { value, digits: mantissa.chars().filter(char::is_ascii_digit).count() })
+    }
+}
+
+impl Cell {
+    /// The number at its start, if there is one.
+    pub fn number(&self) -> Option<Number> {
+        Number::read(self.text.split(' ').next()?)
+    }
+
+    /// What it says to a question of yes or no.
+    pub fn truth(&self) -> Option<bool> {
+        let says = |word: &str| self.text.eq_ignore_ascii_case(word);
+        (says("yes") || says("no")).then(|| says("yes"))
+    }
+
+    /// Whether it says nothing: a blank, or the dash for what the paper leaves out.
+    pub fn is_empty(&self) -> bool {
+        self.text.is_empty() || self.text == "—"
+    }
+
+    /// Its text as it is read: numbers typeset.
+    pub fn typeset(&self) -> String {
+        let set = |word: &str| match Number::read(word) {
+            Some(_) => typeset(word),
+            None => word.to_string(),
+        };
+        self.text.split(' ').map(set).collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// A table: a header and rows of the same width. Its first column, or that after the ids, is flush
+/// left; the others hold values, but for the last ones, which may hold remarks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
-    header: Vec<String>,
-    rows: Vec<Vec<String>>,
-    /// How many of the last columns hold remarks.
+    columns: Vec<Column>,
+    rows: Vec<Vec<Cell>>,
+    /// How many of the last columns hold remarks, and are not padded.
     remarks: usize,
 }
 
+/// The heading of names of rows that the book does not show.
+const ID: &str = "id";
+/// The name of the row that says what the columns hold.
+const HOLDS: &str = "*";
+
 impl Table {
-    /// An empty table under these headings.
-    pub fn new<H: Into<String>>(header: impl IntoIterator<Item = H>) -> Self {
-        let header = header.into_iter().map(Into::into).collect();
-        Self { header, rows: Vec::new(), remarks: 0 }
+    /// An empty table of these columns, or under these headings.
+    pub fn new<C: Into<Column>>(columns: impl IntoIterator<Item = C>) -> Self {
+        let columns = columns.into_iter().map(Into::into).collect();
+        let mut table = Self { columns, rows: Vec::new(), remarks: 0 };
+        let names = table.first() + 1;
+        table.columns.iter_mut().take(names).for_each(|column| column.is_value = false);
+        table
     }
 
     /// The same with remarks in the last `columns`: flush left, and not padded.
-    pub fn with_remarks(self, columns: usize) -> Self {
+    pub fn with_remarks(mut self, columns: usize) -> Self {
+        self.columns.iter_mut().rev().take(columns).for_each(|column| column.is_value = false);
         Self { remarks: columns, ..self }
     }
 
     /// Adds a row, filled up with empty cells to the width of the header.
-    pub fn push<C: Into<String>>(&mut self, row: impl IntoIterator<Item = C>) {
-        let mut row: Vec<String> = row.into_iter().map(Into::into).collect();
-        debug_assert!(row.len() <= self.header.len(), "a row is no wider than its header");
-        row.resize(self.header.len(), String::new());
+    pub fn push<C: Into<Cell>>(&mut self, row: impl IntoIterator<Item = C>) {
+        let mut row: Vec<Cell> = row.into_iter().map(Into::into).collect();
+        debug_assert!(row.len() <= self.columns.len(), "a row is no wider than its header");
+        row.resize(self.columns.len(), Cell::default());
         self.rows.push(row);
     }
 
-    /// A Markdown table. Columns are padded, so that it reads as a table in a diff too.
-    pub fn to_markdown(&self) -> String {
-        let escaped = |cell: &String| cell.replace('|', "\\|");
-        let table = Self {
-            header: self.header.iter().map(escaped).collect(),
-            rows: self.rows.iter().map(|row| row.iter().map(escaped).collect()).collect(),
-            remarks: self.remarks,
-        };
-        let rule = (0..table.header.len()).map(|column| {
-            let dashes = "-".repeat(table.width(column).max(2));
-            if table.is_value(column) { format!("{}:", &dashes[1..]) } else { dashes }
-        });
-        let rule: Vec<String> = rule.collect();
-        let line = |cells: &[String]| format!("| {} |\n", table.aligned(cells).join(" | "));
-        let rows = table.rows.iter().map(|row| line(row));
-        [line(&table.header), line(&rule)].into_iter().chain(rows).collect()
+    /// The columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
     }
 
-    /// Reads what [`Table::to_markdown`] has written, apart from the alignment: a header, a rule,
-    /// and rows of the same width. `None` for any other text.
-    pub fn from_markdown(text: &str) -> Option<Self> {
+    /// The rows.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = Row<'_>> {
+        self.rows.iter().map(|cells| Row { table: self, cells })
+    }
+
+    /// The first column that a reader sees.
+    pub fn first(&self) -> usize {
+        usize::from(self.columns.first().is_some_and(|column| column.heading == ID))
+    }
+
+    /// The table as it is read: without the ids, and the id of a claim in code; numbers typeset.
+    pub fn typeset(&self) -> Self {
+        let first = self.first();
+        let is_claim = self.columns.iter().any(|column| column.claims.as_deref() == Some(HOLDS));
+        let set = |(column, cell): (usize, &Cell)| match (column, is_claim) {
+            (0, true) => Cell::from(format!("`{}`", cell.text)),
+            _ => Cell { text: cell.typeset(), differs: cell.differs },
+        };
+        let row = |row: &Vec<Cell>| row.iter().enumerate().skip(first).map(set).collect();
+        let (columns, rows) = (self.columns[first..].to_vec(), self.rows.iter().map(row).collect());
+        Self { columns, rows, remarks: self.remarks }
+    }
+
+    /// The table as a snapshot has it.
+    pub fn to_data(&self) -> String {
+        let holds = self.columns.iter().skip(1).map(Column::told);
+        let holds = [HOLDS.to_string()].into_iter().chain(holds).collect();
+        self.between_bars([holds].into_iter().chain(self.printed()))
+    }
+
+    /// A table in Markdown.
+    pub fn to_markdown(&self) -> String {
+        self.between_bars(self.printed())
+    }
+
+    /// The rows, each cell after its mark or the room for one: where a mark appears, no other row
+    /// changes.
+    fn printed(&self) -> impl Iterator<Item = Vec<String>> {
+        let cell = |(cell, column): (&Cell, &Column)| match cell.differs {
+            true => format!("≠ {}", cell.text),
+            false if column.is_judged() => format!("  {}", cell.text),
+            false => cell.text.clone(),
+        };
+        self.rows.iter().map(move |row| row.iter().zip(&self.columns).map(cell).collect())
+    }
+
+    /// The header, a rule and these rows.
+    fn between_bars(&self, rows: impl Iterator<Item = Vec<String>>) -> String {
+        let escaped = |row: Vec<String>| row.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        let rows: Vec<Vec<String>> =
+            [self.headings()].into_iter().chain(rows).map(escaped).collect();
+        let widths = self.widths(&rows);
+        let rule = widths.iter().zip(&self.columns).map(|(width, column)| {
+            let dashes = "-".repeat((*width).max(2));
+            if column.is_value { format!("{}:", &dashes[1..]) } else { dashes }
+        });
+        let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let mut lines = rows.iter().map(|row| line(self.aligned(row, &widths)));
+        let header = lines.next().unwrap_or_default();
+        [header, line(rule.collect())].into_iter().chain(lines).collect()
+    }
+
+    /// Reads a table between bars, in a snapshot or in Markdown: a header, a rule, and rows of the
+    /// same width.
+    ///
+    /// # Errors
+    /// If it is none.
+    pub fn read(text: &str) -> Result<Self, &'static str> {
         let cells = |line: &str| -> Option<Vec<String>> {
             let inner = line.strip_prefix("| ")?.strip_suffix(" |")?;
             Some(inner.split(" | ").map(|cell| cell.trim().replace("\\|", "|")).collect())
         };
-        let mut lines = text.lines();
-        let mut table = Self::new(cells(lines.next()?)?);
-        let rule = cells(lines.next()?)?;
-        for row in lines {
-            table.rows.push(cells(row)?);
-        }
+        let lines: Option<Vec<_>> = text.lines().map(cells).collect();
+        let lines = lines.ok_or("a row that is not between bars")?;
+        let [header, rule, rows @ ..] = &lines[..] else { return Err("no header over a rule") };
         let is_rule = |cell: &String| cell.len() > 1 && cell.chars().all(|c| "-:".contains(c));
-        let even = table.rows.iter().chain([&rule]).all(|row| row.len() == table.header.len());
-        (even && rule.iter().all(is_rule)).then_some(table)
-    }
-
-    /// The headings.
-    pub fn header(&self) -> &[String] {
-        &self.header
-    }
-
-    /// The rows, as wide as the header.
-    pub fn rows(&self) -> &[Vec<String>] {
-        &self.rows
+        if !rule.iter().all(is_rule) {
+            return Err("no rule below the header");
+        }
+        if lines.iter().any(|row| row.len() != header.len()) {
+            return Err("rows of several widths");
+        }
+        let mut table = Self::new(header.iter().map(String::as_str));
+        for (column, rule) in table.columns.iter_mut().zip(rule) {
+            column.is_value = rule.ends_with(':');
+        }
+        let (holds, rows) = match rows {
+            [holds, rows @ ..] if holds[0] == HOLDS => (&holds[..], rows),
+            _ => (&[][..], rows),
+        };
+        for (column, told) in table.columns.iter_mut().zip(holds).skip(1) {
+            column.hear(told);
+        }
+        for row in rows {
+            table.push(row.iter().map(|cell| match cell.strip_prefix('≠') {
+                Some(text) => Cell { text: text.trim().to_string(), differs: true },
+                None => Cell::from(cell.as_str()),
+            }));
+        }
+        Ok(table)
     }
 
     /// Plain text with aligned columns, for the terminal.
     pub fn to_text(&self) -> String {
-        let line = |cells: &[String]| format!("{}\n", self.aligned(cells).join("  ").trim_end());
-        let widths = (0..self.header.len()).map(|column| self.width(column) + 2);
-        let rule = "─".repeat(widths.sum::<usize>() - 2) + "\n";
-        let rows = self.rows.iter().map(|row| line(row));
-        [line(&self.header), rule].into_iter().chain(rows).collect()
+        let rows: Vec<Vec<String>> = [self.headings()].into_iter().chain(self.printed()).collect();
+        let widths = self.widths(&rows);
+        let line =
+            |row: &Vec<String>| format!("{}\n", self.aligned(row, &widths).join("  ").trim_end());
+        let rule = "─".repeat(widths.iter().map(|width| width + 2).sum::<usize>() - 2) + "\n";
+        let lines = rows[1..].iter().map(line);
+        [line(&rows[0]), rule].into_iter().chain(lines).collect()
     }
 
-    fn is_value(&self, column: usize) -> bool {
-        column > 0 && !self.is_remark(column)
+    fn headings(&self) -> Vec<String> {
+        self.columns.iter().map(|column| column.heading.clone()).collect()
     }
 
-    fn is_remark(&self, column: usize) -> bool {
-        column + self.remarks >= self.header.len()
-    }
-
-    /// The width of a column in characters; of remarks, that of their heading.
-    fn width(&self, column: usize) -> usize {
-        let rows = if self.is_remark(column) { &[][..] } else { &self.rows[..] };
-        let cells = rows.iter().chain([&self.header]).map(|row| row[column].chars().count());
-        cells.max().unwrap_or(0)
-    }
-
-    fn aligned(&self, cells: &[String]) -> Vec<String> {
-        let pad = |(column, cell): (usize, &String)| {
-            let width = self.width(column);
-            if self.is_value(column) {
-                format!("{cell:>width$}")
-            } else {
-                format!("{cell:<width$}")
-            }
+    /// The widths of the columns in characters; of remarks, those of their headings.
+    fn widths(&self, rows: &[Vec<String>]) -> Vec<usize> {
+        let padded = self.columns.len() - self.remarks;
+        let width = |column: usize| {
+            let rows = if column < padded { rows } else { &rows[..1] };
+            rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
         };
-        cells.iter().enumerate().map(pad).collect()
+        (0..self.columns.len()).map(width).collect()
+    }
+
+    fn aligned(&self, cells: &[String], widths: &[usize]) -> Vec<String> {
+        let pad = |((cell, &width), column): ((&String, &usize), &Column)| match column.is_value {
+            true => format!("{cell:>width$}"),
+            false => format!("{cell:<width$}"),
+        };
+        cells.iter().zip(widths).zip(&self.columns).map(pad).collect()
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// A row of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'t> {
+    table: &'t Table,
+    /// What it says.
+    pub cells: &'t [Cell],
+}
 
-    fn table() -> Table {
-        let mut table = Table::new(["Method", "h", "why"]).with_remarks(1);
-        table.push(["RK4", "0.001", "it is quick and needs no memory"]);
-        table.push(["Störmer–Verlet", "1"]);
-        table
+impl<'t> Row<'t> {
+    /// Its name, which no other row of a snapshot has.
+    pub fn id(&self) -> &'t str {
+        &self.cells[0].text
     }
 
-    /// Catches: columns that are not aligned, a rule of another width, blanks at the end of a
-    /// line.
-    #[test]
-    fn text_stands_in_columns() {
-        let expected = "Method              h  why\n\
-                        ──────────────────────────\n\
-                        RK4             0.001  it is quick and needs no memory\n\
-                        Störmer–Verlet      1\n";
-        assert_eq!(table().to_text(), expected);
+    /// What it says under this heading, if there is such a column.
+    pub fn get(&self, heading: &str) -> Option<&'t Cell> {
+        let column = self.table.columns.iter().position(|column| column.heading == heading)?;
+        Some(&self.cells[column])
     }
 
-    /// Catches: a bar in a cell, such as that of |H|, that begins a column; a cell that is lost or
-    /// moved on the way to Markdown and back; another text that is taken for a table.
-    #[test]
-    fn markdown_is_read_back() {
-        let mut table = table();
-        table.push(["|H(0)| in % of |H|", "−1 × 10⁻³", ""]);
-        let text = table.to_markdown();
-        assert!(text.contains("| \\|H(0)\\| in % of \\|H\\| |"), "{text}");
-        let read = Table::from_markdown(&text).expect("a table");
-        assert_eq!((read.header(), read.rows()), (table.header(), table.rows()));
-        let first_lines = |n: usize| text.lines().take(n).collect::<Vec<_>>().join("\n");
-        assert!(Table::from_markdown(&first_lines(2)).is_some_and(|table| table.rows.is_empty()));
-        for other in ["", "words", &first_lines(1), &format!("{text}| one |\n"), &text[2..]] {
-            assert_eq!(Table::from_markdown(other), None, "{other}");
-        }
+    /// The cells of this quantity.
+    pub fn of(&self, quantity: Quantity) -> impl Iterator<Item = &'t Cell> {
+        let is_it = move |(column, _): &(&Column, &Cell)| column.quantity == Some(quantity);
+        self.table.columns.iter().zip(self.cells).filter(is_it).map(|(_, cell)| cell)
     }
 }

@@ -4,7 +4,7 @@ use pendula::metrics::order::slopes;
 use pendula_judge::properties::{PROPERTIES, Property};
 use pendula_judge::zoo::{Impostor, impostors};
 
-use super::table::Table;
+use super::table::{Cell, Column, Quantity, Table};
 use crate::claims::{Claim, ClaimKind, Ledger, Measured, cell_id};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
@@ -50,25 +50,18 @@ fn columns(number: u32) -> Option<Vec<(String, String)>> {
     }
 }
 
-/// The id of the cell of Table `number` in the row of the method with this title, in the column
-/// with this heading.
-pub fn cell_at(number: u32, row: &str, column: &str) -> Option<String> {
-    let row = PaperMethod::ALL.into_iter().find(|method| method.title() == row)?;
-    let (column, _) = columns(number)?.into_iter().find(|(_, heading)| heading == column)?;
-    Some(cell_id(number, row, column))
-}
-
 /// Below this, rounding moves the second digit of an energy error (J), and with it the second
 /// decimal of a slope: one cell of Table 4, RK4's at the finest step, 3.2e-12 ± 10 %.
 const ENERGY_FLOOR: f64 = 1e-11;
 
 /// The slopes of Table 4's energy errors between neighbouring steps.
 pub fn energy_slopes(study: &Study) -> Table {
-    let columns = STEPS.windows(2).map(|h| format!("{} → {} s", h[0], h[1]));
-    let mut table = Table::new(["Method".to_string()].into_iter().chain(columns));
+    let slope = |h: &[f64]| Column::from(format!("{} → {} s", h[0], h[1])).is(Quantity::Slope);
+    let columns = STEPS.windows(2).map(slope);
+    let mut table = Table::new([Column::from("Method")].into_iter().chain(columns));
     for row in &study.convergence {
         let slopes = slopes(&STEPS, &row.drift, ENERGY_FLOOR);
-        let cells = slopes.map(|slope| slope.map_or("…".to_string(), |p| Fixed(2).print(p)));
+        let cells = slopes.map(|slope| slope.map_or("…".to_string(), |p| Fixed(2).literal(p)));
         table.push([row.method.info().title.to_string()].into_iter().chain(cells));
     }
     table
@@ -77,24 +70,19 @@ pub fn energy_slopes(study: &Study) -> Table {
 /// The slopes of the largest error of the state on each method's ladder, from the coarsest rung to
 /// the finest above the rounding floor.
 pub fn state_slopes(study: &Study) -> Table {
-    let mut table = Table::new([
-        "Method",
-        "order",
-        "first step (s)",
-        "slope 1",
-        "slope 2",
-        "slope 3",
-        "slope 4",
-    ]);
+    let slopes = [1, 2, 3, 4].map(|n| Column::from(format!("slope {n}")).is(Quantity::Slope));
+    let order = Column::from("order").is(Quantity::Claimed);
+    let columns = ["Method".into(), order, "first step (s)".into()];
+    let mut table = Table::new(columns.into_iter().chain(slopes));
     for row in &study.characteristics {
         let entry = row.method.info();
-        let lead =
-            [entry.title.to_string(), entry.order.to_string(), Fixed(6).print(row.ladder.steps[0])];
+        let first = Fixed(6).literal(row.ladder.steps[0]);
+        let lead = [entry.title.to_string(), entry.order.to_string(), first].map(Cell::from);
         let order = f64::from(entry.order);
         let slopes = row.ladder.slopes_and_windows().map(|(slope, window)| {
             // A NaN is in no window.
             let within = (slope - order).abs() <= window;
-            after_mark(!within, &Fixed(2).print(slope))
+            Cell { text: Fixed(2).literal(slope), differs: !within }
         });
         table.push(lead.into_iter().chain(slopes));
     }
@@ -103,16 +91,25 @@ pub fn state_slopes(study: &Study) -> Table {
 
 /// Every method of the library with its measured properties, not the declared ones.
 pub fn methods(study: &Study) -> Table {
-    let header =
-        ["Method", "order", "symplectic", "evaluations a step", "ΔH over 1000 s (J)", "energy"];
-    let mut table = Table::new(header);
+    // Table 2 has the methods of the paper, too, and Table 5 their long runs.
+    let mut table = Table::new([
+        "id".into(),
+        "Method".into(),
+        Column::from("order").is(Quantity::Order).of("T2.*.order"),
+        Column::from("symplectic").is(Quantity::Symplectic).of("T2.*.sympl"),
+        Column::from("evaluations a step").of("T2.*.evals"),
+        Column::from("ΔH over 1000 s (J)").of("T5.*.dH"),
+        Column::from("energy").is(Quantity::Energy).of("T2.*.behav"),
+    ]);
     for row in &study.characteristics {
+        let id = PaperMethod::of(row.method).map_or(row.method.info().name, PaperMethod::id);
         let drift = study.long_run.iter().find(|run| run.method.info() == row.method.info());
         table.push([
+            id.to_string(),
             row.method.info().title.to_string(),
             observed_order(row),
             (if row.symplectic() { "yes" } else { "no" }).to_string(),
-            Fixed(0).print(row.evaluations),
+            Fixed(0).literal(row.evaluations),
             drift.map_or(String::new(), |run| below_rounding(run.drift)),
             row.energy.to_string(),
         ]);
@@ -124,22 +121,24 @@ pub fn methods(study: &Study) -> Table {
 fn observed_order(row: &crate::experiments::characteristics::Row) -> String {
     match row.ladder.slopes_and_windows().last() {
         Some((slope, window)) if window > 0.5 => {
-            format!("{} ± {}", Fixed(0).print(slope), Fixed(0).print(window))
+            format!("{} ± {}", Fixed(0).literal(slope), Fixed(0).literal(window))
         }
-        _ => Fixed(0).print(row.order()),
+        _ => Fixed(0).literal(row.order()),
     }
 }
 
 /// A long run's energy error (J) to two digits, or "rounding" where it is no larger than that.
 fn below_rounding(drift: f64) -> String {
-    if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).print(drift) }
+    if drift < ROUNDING { "rounding".to_string() } else { Scientific(2).literal(drift) }
 }
 
 /// What theory predicts for the cells of the tables, beside what the paper states and what is
 /// measured.
 pub fn predictions(ledger: &Ledger) -> Table {
-    let header = ["Cell", "stated", "predicted", "measured", "to within", "law"];
-    let mut table = Table::new(header).with_remarks(1);
+    let measured = Column::from("measured").of("*");
+    let columns = ["Cell", "stated", "predicted"].map(Column::from).into_iter();
+    let columns = columns.chain([measured, "to within".into(), "law".into()]);
+    let mut table = Table::new(columns).with_remarks(1);
     for prediction in crate::claims::predictions() {
         let Some(claim) = ledger.get(&prediction.id) else { continue };
         let agrees = match claim.measured {
@@ -147,12 +146,12 @@ pub fn predictions(ledger: &Ledger) -> Table {
             _ => false,
         };
         table.push([
-            format!("`{}`", prediction.id),
-            claim.stated_text(),
-            Scientific(6).print(prediction.value),
-            after_mark(!agrees, &claim.measured_text()),
-            Scientific(1).print(prediction.tolerance),
-            prediction.law.to_string(),
+            prediction.id.as_str().into(),
+            stated(claim),
+            Scientific(6).literal(prediction.value).into(),
+            Cell { text: claim.measured_literal(), differs: !agrees },
+            Scientific(1).literal(prediction.tolerance).into(),
+            prediction.law.into(),
         ]);
     }
     table
@@ -160,31 +159,45 @@ pub fn predictions(ledger: &Ledger) -> Table {
 
 /// The claims that are cells of tables, and what the chapters quote beside them.
 pub fn cells(ledger: &Ledger) -> Table {
-    let header = ["Claim", "stated", "measured", "verdict", "where"];
-    let mut table = Table::new(header).with_remarks(2);
-    for claim in ledger.claims().iter().filter(|claim| !is_sentence(claim)) {
-        let place = match claim.definition {
-            "" => claim.place.to_string(),
-            definition => format!("{}: {definition}", claim.place),
-        };
-        let (stated, measured) = (claim.stated_text(), claim.measured_text());
-        table.push([name(claim), stated, measured, judgement(claim), place]);
-    }
-    table
+    claims(ledger, |claim| !is_sentence(claim)).with_remarks(5)
 }
 
 /// The claims that are sentences.
 pub fn sentences(ledger: &Ledger) -> Table {
-    let header = ["Claim", "where", "stated", "measured", "verdict"];
-    let mut table = Table::new(header).with_remarks(4);
-    for claim in ledger.claims().iter().filter(|claim| is_sentence(claim)) {
-        let measured = match claim.definition {
-            "" => claim.measured_text(),
-            definition => format!("{} ({definition})", claim.measured_text()),
+    claims(ledger, is_sentence).with_remarks(7)
+}
+
+fn claims(ledger: &Ledger, wanted: fn(&Claim) -> bool) -> Table {
+    let mut table = Table::new([
+        "Claim".into(),
+        Column::from("gist").in_words(),
+        "stated".into(),
+        Column::from("measured").of("*"),
+        Column::from("verdict").is(Quantity::Verdict),
+        Column::from("because").is(Quantity::Verdict),
+        "kind".into(),
+        "where".into(),
+        "definition".into(),
+    ]);
+    for claim in ledger.claims().iter().filter(|claim| wanted(claim)) {
+        let judged = claim.judged();
+        let differs = judged != claim.verdict;
+        // The reason on record belongs to the verdict on record.
+        let because = match differs {
+            true => format!("(on record: {})", claim.verdict),
+            false => claim.because.to_string(),
         };
-        let row =
-            [name(claim), claim.place.to_string(), claim.stated_text(), measured, judgement(claim)];
-        table.push(row);
+        table.push([
+            claim.id.as_str().into(),
+            claim.gist.as_str().into(),
+            stated(claim),
+            claim.measured_literal().into(),
+            Cell { text: judged.to_string(), differs },
+            because.into(),
+            claim.kind().to_string().into(),
+            claim.place.into(),
+            claim.definition.into(),
+        ]);
     }
     table
 }
@@ -197,9 +210,9 @@ fn is_sentence(claim: &Claim) -> bool {
 pub fn beyond() -> Table {
     let mut table = Table::new(["Quantity", "known", "found", "Source"]).with_remarks(1);
     for row in beyond::rows() {
-        let text = |(value, format): (f64, Digits)| format.print(value);
+        let text = |(value, format): (f64, Digits)| format.literal(value);
         let known = row.known.map_or_else(String::new, text);
-        let mut found = row.format.print(row.found);
+        let mut found = row.format.literal(row.found);
         if let Some(error) = row.error.map(text) {
             found += &format!(" ± {error}");
         }
@@ -216,7 +229,7 @@ pub fn crossings() -> Table {
         table.push([
             theta_0.to_string(),
             crossing.map_or_else(dash, |crossing| crossing.evaluations.to_string()),
-            crossing.map_or_else(dash, |crossing| Scientific(2).print(crossing.error)),
+            crossing.map_or_else(dash, |crossing| Scientific(2).literal(crossing.error)),
         ]);
     }
     table
@@ -252,7 +265,7 @@ pub fn zoo() -> Table {
 ///
 /// If they agree in none.
 fn agreed(band: [f64; 2]) -> String {
-    let printed = |digits| band.map(|end| Significant(digits).print(end));
+    let printed = |digits| band.map(|end| Significant(digits).literal(end));
     let alike = (1..=3).rev().map(printed).find(|[least, most]| least == most);
     let [text, _] = alike.unwrap_or_else(|| panic!("no digit of {band:?} holds"));
     text
@@ -266,12 +279,12 @@ pub fn diffusion() -> Table {
         let drift = |drift: Option<[f64; 2]>| drift.map_or_else(|| "escapes".to_string(), agreed);
         table.push([
             row.k.to_string(),
-            Fixed(4).print(standard_map::step(row.k)),
+            Fixed(4).literal(standard_map::step(row.k)),
             drift(row.from_1_rad),
             drift(row.from_3_rad),
             // Another last digit of the sine makes another orbit of each in the chaotic sea: of
             // 10⁴ starts the mean is good to some per cent.
-            Significant(1).print(row.spread),
+            Significant(1).literal(row.spread),
         ]);
     }
     table
@@ -283,7 +296,7 @@ pub fn enclosure() -> Table {
         ["t (s)", "θ (rad)", "width (rad)", "ω (rad/s)", "width (rad/s)", "the closed form is"];
     let mut table = Table::new(header);
     for row in enclosure::run() {
-        let width = |x: enclosure::Interval| Scientific(2).print(x.width());
+        let width = |x: enclosure::Interval| Scientific(2).literal(x.width());
         table.push([
             row.time.to_string(),
             enclosure::proved_digits(row.known.theta),
@@ -300,7 +313,7 @@ pub fn enclosure() -> Table {
 /// to which mistakes lead.
 pub fn questions() -> Table {
     let mut table = Table::new(["Question", "right", "counts", "mistakes"]);
-    let number = |value: f64| Significant(3).print(value);
+    let number = |value: f64| Significant(3).literal(value);
     for (id, truth) in questions::all() {
         let mut counts = String::new();
         let (right, mistakes) = match truth() {
@@ -309,7 +322,7 @@ pub fn questions() -> Table {
                 (right.map(|(name, _)| name).collect::<Vec<_>>().join(" and "), Vec::new())
             }
             Truth::Number { right, within, mistakes } => {
-                counts = within.range(right).map(|end| Significant(4).print(end)).join(" to ");
+                counts = within.range(right).map(|end| Significant(4).literal(end)).join(" to ");
                 let mistake = |(name, wrong)| format!("{name} {}", number(wrong));
                 let right = match within {
                     Within::Count(_) => right.to_string(),
@@ -319,61 +332,55 @@ pub fn questions() -> Table {
             }
             Truth::Order(items) => (items.join(", "), Vec::new()),
         };
-        table.push([format!("`{id}`"), right, counts, mistakes.join(", ")]);
+        table.push([id.to_string(), right, counts, mistakes.join(", ")]);
     }
     table
 }
 
-fn name(claim: &Claim) -> String {
-    format!("`{}` {}", claim.id, claim.gist)
-}
-
-/// The verdict that the measurement supports. The reason on record belongs to the verdict on
-/// record: where the two verdicts differ, the row says so instead.
-fn judgement(claim: &Claim) -> String {
-    match (claim.judged(), claim.because) {
-        (judged, _) if judged != claim.verdict => {
-            format!("≠ **{judged}** (on record: {})", claim.verdict)
-        }
-        (judged, "") => judged.to_string(),
-        (judged, because) => format!("**{judged}**. {because}"),
-    }
+/// What the paper prints; a dash for what it leaves out.
+fn stated(claim: &Claim) -> Cell {
+    claim.stated.unwrap_or("—").into()
 }
 
 /// Two rows for each method, stated above measured; a method or column that the paper leaves out
 /// has dashes above.
 fn by_method(ledger: &Ledger, number: u32, columns: &[(String, String)]) -> Table {
-    let titles = columns.iter().map(|(_, title)| title.clone());
-    let mut table = Table::new(["Method", "value"].map(String::from).into_iter().chain(titles));
+    let claims = columns.iter().map(|(column, title)| {
+        let of = Column::from(title.as_str()).of(format!("T{number}.*.{column}"));
+        match column.as_str() {
+            "order" => of.is(Quantity::Order),
+            "sympl" => of.is(Quantity::Symplectic),
+            "behav" => of.is(Quantity::Energy),
+            _ => of,
+        }
+    });
+    let mut table =
+        Table::new(["id", "Method", "value"].map(Column::from).into_iter().chain(claims));
     for row in PaperMethod::ALL {
         let cells: Vec<Option<&Claim>> =
             columns.iter().map(|(column, _)| ledger.get(&cell_id(number, row, column))).collect();
-        let line = |name: &str, what: &str, text: fn(&Claim) -> String| {
-            let cells = cells.iter().map(|cell| cell.map_or_else(String::new, text));
-            [name.to_string(), what.to_string()].into_iter().chain(cells).collect::<Vec<_>>()
+        let mut line = |[id, name, what]: [&str; 3], cell: fn(&Claim) -> Cell| {
+            let cells = cells.iter().map(|claim| claim.map_or_else(Cell::default, cell));
+            table.push([id, name, what].map(Cell::from).into_iter().chain(cells));
         };
-        table.push(line(row.title(), "stated", Claim::stated_text));
-        table.push(line("", "measured", marked));
+        line([&format!("{} stated", row.id()), row.title(), "stated"], stated);
+        line([row.id(), "", "measured"], measured);
     }
     table
 }
 
 /// A row for each quantity.
 fn by_quantity(ledger: &Ledger, number: u32) -> Table {
-    let mut table = Table::new(["Quantity", "stated", "measured"]);
+    let measured_column = Column::from("measured").of("*");
+    let mut table = Table::new(["id".into(), "Quantity".into(), "stated".into(), measured_column]);
     for claim in ledger.table(number) {
-        table.push([claim.gist.clone(), claim.stated_text(), marked(claim)]);
+        let names = [claim.id.as_str(), claim.gist.as_str()].map(Cell::from);
+        table.push(names.into_iter().chain([stated(claim), measured(claim)]));
     }
     table
 }
 
 /// The measured value, marked where it contradicts what is stated.
-fn marked(claim: &Claim) -> String {
-    after_mark(claim.holds() == Some(false), &claim.measured_text())
-}
-
-/// A value after a ≠ where it `differs` from what it should be and after a blank elsewhere, so that
-/// a cell whose mark changes does not change the width of the table.
-fn after_mark(differs: bool, value: &str) -> String {
-    format!("{} {value}", if differs { '≠' } else { ' ' })
+fn measured(claim: &Claim) -> Cell {
+    Cell { text: claim.measured_literal(), differs: claim.holds() == Some(false) }
 }

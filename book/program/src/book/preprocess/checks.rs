@@ -64,7 +64,7 @@ fn not_accepted(file: &Path) -> bool {
 fn has_text(folder: &Path, path: &str, anchor: &str) -> Result<()> {
     let file = folder.join(path);
     let text = files::read_to_string(&file).with_context(|| match not_accepted(&file) {
-        true => format!("{path} is made and not accepted: review it, `cargo insta review`"),
+        true => format!("{path} is made and not accepted: `pendula review` shows it"),
         false => format!("there is no file {path}"),
     })?;
     let included = match anchor {

@@ -1,6 +1,5 @@
-//! The ledger's tables, as HTML, with what neither Markdown nor a snapshot says of a claim: its
-//! verdict and its part of the paper, for the style sheet and the filters of the page, and links
-//! back to where the chapters quote it.
+//! The ledger's tables, as HTML, with each claim's verdict and its part of the paper, for the style
+//! sheet and the filters of the page, and links back to where the chapters quote it.
 //!
 //! `{{verdicts}}` on that page becomes the table of the verdicts: what each means, and how many
 //! claims got it.
@@ -8,15 +7,13 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow};
 use pendula_study::claims::Verdict;
-use pendula_study::report::table::Table;
+use pendula_study::report::table::{self, Table};
 use pulldown_cmark::Parser;
 use pulldown_cmark::html::push_html;
 
 use super::markdown::{options, splice};
-use crate::book::ledger::Ledger;
-use crate::book::review::claims::{id_and_gist, judged};
 use crate::book::{Pattern, pattern};
 
 /// Links to where each claim is quoted, by its id.
@@ -27,36 +24,41 @@ const PRINTED: [&str; 2] = ["cell", "sentence"];
 /// The kinds that we added to them.
 const ADDED: [&str; 2] = ["finding", "reading"];
 
-/// The heading of the column that is set below the claims themselves, as it is narrow and often the
-/// same.
-const PLACE: &str = "where";
+/// The columns that stand beside the claim.
+const VALUES: [&str; 2] = ["stated", "measured"];
 
 /// A row of the ledger's tables.
 struct Row {
     id: String,
     gist: String,
-    kind: String,
+    /// What stands in [`VALUES`].
+    values: [String; 2],
     verdict: String,
-    /// What the columns say after the claim itself.
-    values: Vec<String>,
+    because: String,
+    kind: String,
+    /// Where it stands in the paper, and what else is said below it.
+    place: String,
 }
 
 /// The text with each table of claims, which has that heading above its first column, as HTML.
-pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
+pub fn set(text: &str, quotes: &Quotes) -> Result<String> {
     static TABLE: Pattern = Pattern::new(|| pattern(r"(?m)^\| Claim .*\n(?:\|.*\n?)*"));
     let (mut edits, mut rows) = (Vec::new(), Vec::new());
     for found in TABLE.find_iter(text) {
-        let table = Table::from_markdown(found.as_str());
-        let table = table.context("a table of claims has rows of several widths")?;
-        let rule = found.as_str().lines().nth(1).unwrap_or_default().split('|').skip(1);
-        let headings = table.header().iter().map(String::as_str);
-        let columns: Vec<_> = headings.zip(rule.map(style)).collect();
-        let head = columns.iter().filter(|(name, _)| *name != PLACE);
+        let table = Table::read(found.as_str());
+        let table = table.map_err(|why| anyhow!("a table of claims has {why}"))?;
+        let style = |name: &str| {
+            let mut columns = table.columns().iter();
+            let is_right = columns.any(|column| column.heading == name && column.is_value());
+            if is_right { " style=\"text-align: right\"" } else { "" }
+        };
+        let columns = VALUES.map(|name| (name, style(name)));
+        let head = [("Claim", "")].into_iter().chain(columns).chain([("verdict", "")]);
         let head: String = head.map(|(name, style)| format!("<th{style}>{name}</th>")).collect();
         let mut set = String::new();
-        for cells in table.rows() {
-            let row = Row::read(cells, ledger)?;
-            set += &row.html(&columns, quotes);
+        for row in table.rows() {
+            let row = Row::read(row)?;
+            set += &row.html(columns, quotes);
             rows.push(row);
         }
         let table = format!(
@@ -71,12 +73,6 @@ pub fn set(text: &str, ledger: &dyn Ledger, quotes: &Quotes) -> Result<String> {
     Ok(splice(text, edits).replace("{{verdicts}}", &counts(&rows)))
 }
 
-/// As mdBook aligns the cells of a column with this rule.
-fn style(rule: &str) -> &'static str {
-    let is_right = rule.trim().starts_with('-') && rule.trim().ends_with(':');
-    if is_right { " style=\"text-align: right\"" } else { "" }
-}
-
 /// A cell as HTML.
 fn html(cell: &str) -> String {
     let mut html = String::new();
@@ -87,43 +83,44 @@ fn html(cell: &str) -> String {
 }
 
 impl Row {
-    fn read(cells: &[String], ledger: &dyn Ledger) -> Result<Self> {
-        let [name, values @ ..] = cells else { bail!("a table of claims has columns") };
-        let (id, gist) = id_and_gist(name).with_context(|| {
-            format!("{name}: a row of this table begins with the id of its claim")
-        })?;
-        let entry = ledger.entry(id).with_context(|| format!("the ledger has no claim {id}"))?;
-        let verdict =
-            entry.verdict.with_context(|| format!("the ledger has no verdict on {id}"))?;
-        let (id, gist, values) = (id.to_string(), gist.to_string(), values.to_vec());
-        Ok(Self { id, gist, kind: entry.kind, verdict, values })
+    fn read(row: table::Row<'_>) -> Result<Self> {
+        let id = row.id().trim_matches('`').to_string();
+        let get = |name: &str| {
+            let cell = row.get(name).with_context(|| format!("{id}: its table has no {name}"))?;
+            Ok::<_, anyhow::Error>(cell.text.clone())
+        };
+        let (kind, definition) = (get("kind")?, get("definition")?);
+        let (mut measured, mut place) = (get("measured")?, get("where")?);
+        // Of a cell the column says what is measured.
+        if !definition.is_empty() && ["cell", "finding"].contains(&kind.as_str()) {
+            place = format!("{place}: {definition}");
+        } else if !definition.is_empty() {
+            measured = format!("{measured} ({definition})");
+        }
+        let values = [get("stated")?, measured];
+        let (gist, verdict, because) = (get("gist")?, get("verdict")?, get("because")?);
+        Ok(Self { id, gist, values, verdict, because, kind, place })
     }
 
-    fn html(&self, columns: &[(&str, &str)], quotes: &Quotes) -> String {
-        let Self { id, gist, kind, verdict, values } = self;
-        let (mut said, mut below, mut reason) = (String::new(), Vec::new(), "");
-        for (value, (label, style)) in values.iter().zip(&columns[1..]) {
-            match *label {
-                PLACE if value.is_empty() => {}
-                PLACE => below.push(html(value)),
-                "verdict" => reason = value,
-                _ => {
-                    let value = html(value);
-                    said += &format!("<td data-label=\"{label}\"{style}>{value}</td>");
-                }
-            }
-        }
-        below.extend(quotes.get(id).map(|links| format!("quoted in {}", links.join(", "))));
+    fn html(&self, columns: [(&str, &str); 2], quotes: &Quotes) -> String {
+        let Self { id, gist, values, verdict, because, kind, place } = self;
+        let said = values.iter().zip(columns).map(|(value, (label, style))| {
+            format!("<td data-label=\"{label}\"{style}>{}</td>", html(value))
+        });
+        let place = (!place.is_empty()).then(|| html(place));
+        let quoted = quotes.get(id).map(|links| format!("quoted in {}", links.join(", ")));
+        let below: Vec<String> = place.into_iter().chain(quoted).collect();
         format!(
             "<tr id=\"{id}\" data-kind=\"{kind}\" data-part=\"{}\" data-verdict=\"{}\">\
-             <td><code>{id}</code> <span class=\"gist\">{}</span> <small>{}</small></td>{said}\
+             <td><code>{id}</code> <span class=\"gist\">{}</span> <small>{}</small></td>{}\
              <td>{} <span class=\"reason\">{}</span></td></tr>\n",
             part(id),
             slug(verdict),
             html(gist),
             below.join("; "),
+            said.collect::<String>(),
             tag(verdict),
-            html(&judged(reason).1)
+            html(because)
         )
     }
 }
@@ -198,47 +195,38 @@ fn counted(rows: &[Row], name: &str, verdict: Option<&str>, kinds: [&str; 2]) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::ledger::Entry;
 
-    fn ledger(id: &str) -> Option<Entry> {
-        let (kind, verdict) = match id {
-            "T4.a" => ("cell", "wrong"),
-            "T4.b" => ("cell", "reproduced"),
-            "F7" => ("sentence", "wrong"),
-            "X.c" => ("finding", "not stated"),
-            _ => return None,
-        };
-        let verdict = Some(verdict.to_string());
-        Some(Entry { verdict, kind: kind.to_string(), ..Entry::default() })
-    }
-
-    const TABLE: &str = "| Claim | where | stated | verdict |\n| --- | --- | --: | --- |\n\
-                         | `T4.a` some *gist* | Table 4 | \\|2\\| | **wrong**. A reason. |\n\
-                         | `T4.b` other | Table 4 | 2 | reproduced |\n\
-                         | `F7` it | Figure 7 | 3 | **wrong** |\n\
-                         | `X.c` ours |  | — | not stated |\n";
+    const TABLE: &str = "\
+        | Claim | gist | stated | measured | verdict | because | kind | where | definition |\n\
+        | --- | --- | --: | --- | --- | --- | --- | --- | --- |\n\
+        | `T4.a` | some *gist* | \\|2\\| | 3 | wrong | A reason. | cell | Table 4 | of *it* |\n\
+        | `T4.b` | other | 2 | 2 | reproduced |  | cell | Table 4 |  |\n\
+        | `F7` | it | 3 | 4 | wrong |  | sentence | Figure 7 | the last |\n\
+        | `X.c` | ours | — | 5 | not stated |  | finding |  |  |\n";
 
     fn set(text: &str) -> Result<String> {
         let links = vec!["<a>one</a>".to_string(), "<a>two</a>".to_string()];
-        super::set(text, &ledger, &Quotes::from([("T4.a".to_string(), links)]))
+        super::set(text, &Quotes::from([("T4.a".to_string(), links)]))
     }
 
     /// Catches: a row without what filters and links need; Markdown left in a cell, a bar that is
     /// still escaped, the verdict said twice, a claim quoted nowhere that says it is; a place that
-    /// is none.
+    /// is none; a definition that is lost, or stands elsewhere.
     #[test]
     fn a_row_has_its_claim_its_verdict_and_its_quotes() {
         let set = set(&format!("Before.\n\n{TABLE}\nAfter.\n")).unwrap();
         let row = "<tr id=\"T4.a\" data-kind=\"cell\" data-part=\"T4\" data-verdict=\"wrong\">\
                    <td><code>T4.a</code> <span class=\"gist\">some <em>gist</em></span> \
-                   <small>Table 4; quoted in <a>one</a>, <a>two</a></small></td>\
+                   <small>Table 4: of <em>it</em>; quoted in <a>one</a>, <a>two</a></small></td>\
                    <td data-label=\"stated\" style=\"text-align: right\">|2|</td>\
+                   <td data-label=\"measured\">3</td>\
                    <td><span class=\"tag wrong\">wrong</span> \
                    <span class=\"reason\">A reason.</span></td></tr>\n";
         assert!(set.contains(row), "{set}");
         assert!(set.starts_with("Before.") && set.ends_with("\nAfter.\n"), "{set}");
         assert!(set.contains("data-part=\"F\"") && set.contains("data-verdict=\"not-stated\""));
         assert_eq!(set.matches("quoted in").count(), 1);
+        assert!(set.contains("<small>Figure 7</small>") && set.contains(">4 (the last)</td>"));
         assert!(set.contains("<span class=\"gist\">ours</span> <small></small>"), "{set}");
     }
 
@@ -264,13 +252,11 @@ mod tests {
         assert!(rows.contains("reproduced") && !rows.contains("not stated"), "{set}");
     }
 
-    /// Catches: a claim that the ledger does not know, shown without a verdict.
+    /// Catches: a table that lacks what a row has to say, set without it; another table set so.
     #[test]
-    fn a_row_that_is_no_claim_stops_the_build() {
-        for row in ["| `T9` x | 1 | wrong |", "| x | 1 | wrong |"] {
-            let table = format!("| Claim | a | verdict |\n| -- | -- | -- |\n{row}\n");
-            assert!(set(&table).is_err(), "{row}");
-        }
+    fn a_table_without_a_column_stops_the_build() {
+        let table = TABLE.replace(" verdict ", " word ");
+        assert!(set(&table).unwrap_err().to_string().contains("T4.a: its table has no verdict"));
         let other = "| Method | a |\n|---|---|\n| `T9` | 1 |\n";
         assert_eq!(set(other).unwrap(), other);
     }

@@ -2,8 +2,8 @@
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk, and each snapshot against what the code makes of it now ([`checks`]),
-//! the pages of the tests are added ([`sources`]), and in each chapter tables get their captions
-//! ([`captions`]), directives and formulas are replaced ([`chapter`], by [`typeset`]), listings
+//! the pages of the tests are added ([`sources`]), and in each chapter tables of data are set
+//! ([`tables`]) and tables get their captions ([`captions`]), directives and formulas are replaced ([`chapter`], by [`typeset`]), listings
 //! become whole programs ([`listing`]) and [`questions`] forms. Then it is known which chapters
 //! quote which claim, and the ledger's tables link back to them ([`claims`]).
 //!
@@ -29,6 +29,7 @@ pub mod markdown;
 pub mod questions;
 pub mod sources;
 pub mod strangers;
+pub mod tables;
 pub mod typeset;
 pub mod work_precision;
 
@@ -102,7 +103,7 @@ impl Preprocessor for Pendula {
             set(&setter, chapter, &mut quotes)
         })?;
         each(&mut book, |chapter| {
-            chapter.content = claims::set(&chapter.content, self.ledger.as_ref(), &quotes)?;
+            chapter.content = claims::set(&chapter.content, &quotes)?;
             Ok(())
         })?;
         self.progress.stage("writing the pages", 1);
@@ -129,7 +130,7 @@ fn set(
 ) -> Result<()> {
     let depth = chapter.path.as_ref().map_or(0, |path| path.components().count().saturating_sub(1));
     let mut quoted = BTreeSet::new();
-    let content = captions::set(&chapter.content)?;
+    let content = captions::set(&tables::set(&chapter.content)?)?;
     chapter.content = setter.set(&content, &"../".repeat(depth), &mut quoted)?;
     let page = chapter.path.clone().unwrap_or_default().with_extension("html");
     for id in quoted {

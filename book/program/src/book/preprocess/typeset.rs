@@ -10,9 +10,9 @@ use std::borrow::Cow;
 
 use anyhow::{Result, anyhow, ensure};
 use katex::{KatexContext, OutputFormat, Settings, StrictMode, StrictSetting, render_to_string};
+use regex::Captures;
 
 use super::markdown;
-use crate::book::number::plain;
 use crate::book::{Pattern, pattern};
 
 /// `text` as HTML without active Markdown characters.
@@ -119,6 +119,34 @@ pub fn value(value: &str) -> String {
         done = whole.end();
     }
     html + &inert(&value[done..])
+}
+
+/// In a program's notation: `2.01e-4` and `-5.3` for the library's `2.01 × 10⁻⁴` and `−5.3`.
+fn plain(value: &str) -> String {
+    static TYPESET: Pattern =
+        Pattern::new(|| pattern(r"(?:(?<times>\s*×\s*10)|10)?(?<power>⁻?[⁰¹²³⁴-⁹]+)|−"));
+    let typed = TYPESET.replace_all(value, |found: &Captures<'_>| match found.name("power") {
+        None => "-".to_string(),
+        Some(power) => {
+            let digits: String = power.as_str().chars().map(ascii).collect();
+            let before = match (found.name("times"), found[0].starts_with("10")) {
+                (Some(_), _) => "e",
+                (None, true) => "10^",
+                (None, false) => "^",
+            };
+            format!("{before}{digits}")
+        }
+    });
+    typed.into_owned()
+}
+
+/// `-` for `⁻`, `4` for `⁴`.
+fn ascii(superscript: char) -> char {
+    const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    match DIGITS.chars().position(|digit| digit == superscript) {
+        Some(digit) => char::from(b"0123456789"[digit]),
+        None => '-',
+    }
 }
 
 /// Whether the hyphen at `at` is the sign of a number.

@@ -1,15 +1,15 @@
-//! The claims and the predictions of a version, read from its snapshots: of one that is committed
-//! there is nothing else. And the lines of the book that quote what moved.
+//! The claims and the predictions of a version, of its snapshots: of one that is committed there is
+//! nothing else. And the lines of the book that quote what moved.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use pendula_study::report::table::Table;
+use anyhow::{Context, Result, anyhow, ensure};
+use pendula_study::claims::{ClaimKind, Verdict};
+use pendula_study::report::snapshots::Kind;
+use pendula_study::report::table::{Row, Table};
 use regex::Captures;
 
-use super::cells::Value;
-use crate::book::number::leading;
 use crate::book::versions::Version;
 use crate::book::{Pattern, pattern};
 use crate::output::files;
@@ -25,41 +25,57 @@ pub struct Claim {
     pub stated: String,
     /// What is measured.
     pub measured: String,
-    /// The verdict in a word or a few.
-    pub verdict: String,
+    /// The verdict; a ledger may lack them.
+    pub verdict: Option<Verdict>,
     /// The reason, or what is on record instead.
     pub remark: String,
-    /// Whether the measurement lies within the tolerance of theory's prediction, if there is one:
-    /// its cell then has no mark.
+    /// Whether it is a cell of a table of results.
+    pub is_cell: bool,
+    /// Whether the measurement lies within the tolerance of theory's prediction, if there is one.
     pub agrees: Option<bool>,
+}
+
+impl Claim {
+    fn read(row: Row<'_>, agrees: &BTreeMap<String, bool>) -> Result<Self> {
+        let id = row.id().to_string();
+        let text = |heading| row.get(heading).map_or_else(String::new, |cell| cell.typeset());
+        let verdict = row.get("verdict").map(|cell| &cell.text);
+        let named = |name: &String| {
+            Verdict::named(name).with_context(|| format!("{id}: corrupt: no verdict is {name}"))
+        };
+        Ok(Self {
+            gist: text("gist"),
+            stated: text("stated"),
+            measured: text("measured"),
+            verdict: verdict.map(named).transpose()?,
+            remark: text("because"),
+            is_cell: text("kind") == ClaimKind::Cell.to_string(),
+            agrees: agrees.get(&id).copied(),
+            id,
+        })
+    }
 }
 
 /// The claims of a version, in the order of its ledger; a version may lack one.
 pub fn claims(version: &Version) -> Result<Vec<Claim>> {
-    let mut agrees = BTreeMap::new();
-    for row in table(version, "predictions")?.iter().flat_map(Table::rows) {
-        let [cell, _, _, measured, ..] = &row[..] else { continue };
-        let measured = Value::new(measured);
-        // NaN, or a dash, agrees with nothing.
-        let is_met = !measured.marked && leading(&measured.text).is_some();
-        agrees.insert(cell.trim_matches('`').to_string(), is_met);
-    }
+    let predictions = table(version, "predictions")?;
+    let predictions = predictions.iter().flat_map(Table::rows).filter_map(|row| {
+        let agrees = !row.get("measured")?.differs;
+        Some((row.id().to_string(), agrees))
+    });
+    let agrees = predictions.collect();
     let mut claims = Vec::new();
     for name in ["ledger_cells", "ledger_sentences"] {
-        let Some(table) = table(version, name)? else { continue };
-        for row in table.rows() {
-            let Some((id, gist)) = id_and_gist(&row[0]) else { continue };
-            let column = |heading: &str| {
-                let column = table.header().iter().position(|known| known == heading);
-                column.map(|column| row[column].clone()).unwrap_or_default()
-            };
-            let (verdict, remark) = judged(&column("verdict"));
-            let (stated, measured) = (column("stated"), column("measured"));
-            let (id, gist, agrees) = (id.to_string(), gist.to_string(), agrees.get(id).copied());
-            claims.push(Claim { id, gist, stated, measured, verdict, remark, agrees });
+        for row in table(version, name)?.iter().flat_map(Table::rows) {
+            claims.push(Claim::read(row, &agrees).with_context(|| name.to_string())?);
         }
     }
     Ok(claims)
+}
+
+/// A verdict in a word or a few; nothing for none.
+pub fn said(verdict: Option<Verdict>) -> String {
+    verdict.map_or_else(String::new, |verdict| verdict.to_string())
 }
 
 /// The claim with this id.
@@ -70,23 +86,16 @@ pub fn find<'c>(claims: &'c [Claim], id: &str) -> Option<&'c Claim> {
 /// The table of a snapshot; `None` if the version has no such snapshot.
 pub fn table(version: &Version, name: &str) -> Result<Option<Table>> {
     let Some(content) = version.get(name) else { return Ok(None) };
-    let table = Table::from_markdown(&content.text);
-    table.map(Some).with_context(|| format!("{name}: corrupt: not a table of even rows"))
-}
-
-/// The id and the rest of a ledger's first cell.
-pub fn id_and_gist(cell: &str) -> Option<(&str, &str)> {
-    let (id, gist) = cell.strip_prefix('`')?.split_once('`')?;
-    Some((id, gist.trim()))
-}
-
-/// The verdict of a ledger's last cell in a word or a few, and the reason.
-pub fn judged(cell: &str) -> (String, String) {
-    let cell = Value::new(cell).text;
-    match cell.strip_prefix("**").and_then(|rest| rest.split_once("**")) {
-        Some((word, remark)) => (word.into(), remark.trim_start_matches('.').trim().into()),
-        None => (cell, String::new()),
+    let table = Table::read(&content.text);
+    let table = table.map_err(|why| anyhow!("{name}: corrupt: {why}"))?;
+    // Once tables were snapshots in Markdown, whose cells said less.
+    let is_data = content.kind != Kind::Table || content.text.contains("\n| * ");
+    ensure!(is_data, "{name}: a table without the row `*` is older than this program can compare");
+    let mut known = BTreeSet::new();
+    for row in table.rows() {
+        ensure!(known.insert(row.id()), "{name}: corrupt: two rows are {}", row.id());
     }
+    Ok(Some(table))
 }
 
 /// A line of the book.
@@ -143,14 +152,13 @@ fn filled(line: &str, before: &[Claim], now: &[Claim]) -> (String, Vec<String>) 
             let value = match &found[1] {
                 "measured" => &claim.measured,
                 "stated" => &claim.stated,
-                _ => &claim.verdict,
+                _ => return Some(said(claim.verdict)),
             };
             Some(value.clone())
         };
         match (value(before), value(now)) {
             (Some(old), Some(new)) if old != new => {
-                let short = |value: &str| value.split(" (").next().unwrap_or(value).to_string();
-                moved.push(format!("{} → {}", short(&old), short(&new)));
+                moved.push(format!("{old} → {new}"));
                 new
             }
             (_, Some(new)) => new,
@@ -162,51 +170,60 @@ fn filled(line: &str, before: &[Claim], now: &[Claim]) -> (String, Vec<String>) 
 
 #[cfg(test)]
 mod tests {
-    use pendula_study::report::snapshots::Kind;
-
     use super::*;
     use crate::book::versions::Content;
 
-    /// Catches: a verdict with its mark or its reason in it, a prediction whose columns are mixed
-    /// up; a NaN that agrees; a corrupt ledger read as an empty one.
+    /// Catches: a verdict with its mark in it, or one that there is not; a prediction whose columns
+    /// are mixed up; a corrupt ledger read as an empty one, or one in which two rows are one claim.
     #[test]
     fn a_ledger_is_read() {
         let content = |text: &str| Content { kind: Kind::Table, text: text.to_string() };
-        let ledger = "| Claim | stated | measured | verdict |\n| --- | --- | --- | --- |\n\
-                      | `T4.vv.0.1` an error | 1.10 × 10⁻¹ | 1.12 × 10⁻¹ | ≠ **wrong** (on record: \
-                      reproduced) |\n| `T4.vv.0.2` else | 2 | 2 | **wrong**. Because. |\n\
-                      | `T4.vv.0.3` c | 2 | 2 | wrong |\n| `T5.x` d | 2 | 2 | wrong |\n";
-        let predictions = "| Cell | stated | predicted | measured | to within | law |\n\
-                           | --- | --- | --- | --- | --- | --- |\n\
-                           | `T4.vv.0.1` | 1 | 1.10 × 10⁻¹ | ≠ 1.00 × 10⁻¹ | 1 × 10⁻² | a law |\n\
-                           | `T4.vv.0.2` | 1 | 1.10 × 10⁻¹ | NaN | 1 × 10⁻² | a law |\n\
-                           | `T4.vv.0.3` | 1 | ≠ 1.1 | 1.0 | 1 × 10⁻² | a law |\n";
+        let ledger = "| Claim | gist | measured | verdict | because | kind |\n\
+                      | -- | -- | -- | -- | -- | -- |\n| * | | * | verdict | verdict | |\n\
+                      | T4.vv.0.1 | an error | 1.12e-1 | ≠ wrong | (on record: reproduced) | cell |\n\
+                      | T4.vv.0.2 | else | 2 | wrong | Because. | cell |\n\
+                      | T1.g | d | 2 | not checkable | | sentence |\n";
+        let ledger = ledger.replace("| |", "|  |").replace("| |", "|  |");
+        let predictions = "| Cell | stated | predicted | measured |\n| -- | -- | -- | -- |\n\
+                           | * |  |  | * |\n| T4.vv.0.1 | 1 | 1.10e-1 | ≠ 1.00e-1 |\n\
+                           | T4.vv.0.2 | 1 | ≠ 1.1 | 1.0 |\n";
         let mut version = Version::new();
-        version.insert("ledger_cells".to_string(), content(ledger));
+        version.insert("ledger_cells".to_string(), content(&ledger));
         version.insert("predictions".to_string(), content(predictions));
         let read = claims(&version).unwrap();
-        let found: Vec<_> = read.iter().map(|c| (&c.id[..], &c.verdict[..], c.agrees)).collect();
+        let found: Vec<_> =
+            read.iter().map(|c| (&c.id[..], c.verdict.unwrap(), c.is_cell, c.agrees)).collect();
         assert_eq!(
             found,
             [
-                ("T4.vv.0.1", "wrong", Some(false)),
-                ("T4.vv.0.2", "wrong", Some(false)),
-                ("T4.vv.0.3", "wrong", Some(true)),
-                ("T5.x", "wrong", None)
+                ("T4.vv.0.1", Verdict::Wrong, true, Some(false)),
+                ("T4.vv.0.2", Verdict::Wrong, true, Some(true)),
+                ("T1.g", Verdict::NotCheckable, false, None)
             ]
         );
-        assert_eq!(read[1].remark, "Because.");
-        version.insert("predictions".to_string(), content("| a |\nb\n"));
-        assert!(claims(&version).is_err());
+        assert_eq!((&read[0].measured[..], &read[1].remark[..]), ("1.12 × 10⁻¹", "Because."));
+        let twice = ledger.replace("T1.g", "T4.vv.0.1");
+        for (name, text) in [
+            ("ledger_cells", &ledger.replace("≠ wrong", "**wrong**")[..]),
+            ("ledger_cells", &twice),
+            ("predictions", "| a |\nb\n"),
+            ("predictions", "| Cell |\n| -- |\n| `T4.vv.0.1` |\n"),
+        ] {
+            let mut version = version.clone();
+            version.insert(name.to_string(), content(text));
+            let error = format!("{:#}", claims(&version).unwrap_err());
+            let is_said = error.contains("corrupt") || error.contains("older than this program");
+            assert!(error.contains(name) && is_said, "{error}");
+        }
     }
 
     fn quoted(chapter: &str) -> Vec<Quote> {
-        let claims = |measured: &str, verdict: &str| {
-            let [id, stated, measured, verdict] =
-                ["T4.vv.0.1", "1", measured, verdict].map(str::to_string);
-            [Claim { id, stated, measured, verdict, ..Claim::default() }]
+        let claims = |measured: &str, verdict: Verdict| {
+            let [id, stated, measured] = ["T4.vv.0.1", "1", measured].map(str::to_string);
+            [Claim { id, stated, measured, verdict: Some(verdict), ..Claim::default() }]
         };
-        let (before, now) = (claims("1.1 × 10⁻¹", "reproduced"), claims("1.2 × 10⁻¹", "wrong"));
+        let before = claims("1.1 × 10⁻¹", Verdict::Reproduced);
+        let now = claims("1.2 × 10⁻¹", Verdict::Wrong);
         of_chapter("c", chapter, &before, &now)
     }
 

@@ -2,13 +2,12 @@
 
 use anyhow::{Context, Result};
 use pendula_judge::sign_of_slopes;
-use pendula_study::experiments::PaperMethod;
-use pendula_study::report::tables::cell_at;
+use pendula_study::claims::method_of;
+use pendula_study::report::table::{Cell as Value, Quantity};
 
-use super::cells::{Cell, Value};
-use super::claims::{id_and_gist, table};
+use super::cells::Cell;
+use super::claims::{Claim, find, table};
 use super::words::change;
-use crate::book::number::leading;
 use crate::book::versions::Version;
 
 /// A quantity that moved, wherever it stands.
@@ -28,51 +27,38 @@ impl Item {
         self.shown.leaves() || self.also.iter().any(Cell::leaves)
     }
 
-    /// Whether it is the order of a method, as measured or as claimed.
-    pub fn is_order(&self) -> bool {
-        self.shown.column.eq_ignore_ascii_case("order")
-    }
-
-    /// Whether it is a slope, in a table of slopes by method.
-    pub fn is_slope(&self) -> bool {
-        let Cell { snapshot, column, .. } = &self.shown;
-        snapshot == "slopes" || snapshot == "orders" && column.starts_with("slope ")
+    /// Whether it is the order of a method, as measured or as claimed, or a slope.
+    fn is_order_or_slope(&self) -> bool {
+        [Quantity::Order, Quantity::Claimed, Quantity::Slope]
+            .into_iter()
+            .any(|it| self.shown.is(it))
     }
 
     /// The relative change, of a number that is no order.
     pub fn change(&self) -> Option<f64> {
-        let number = |value: &Option<Value>| Some(leading(&value.as_ref()?.text)?.value);
-        let is_size = !self.is_order() && !self.is_slope();
+        let number = |value: &Option<Value>| Some(value.as_ref()?.number()?.value);
         let (old, new) = number(&self.shown.old).zip(number(&self.shown.new))?;
-        change(old, new).filter(|_| is_size)
+        change(old, new).filter(|_| !self.is_order_or_slope())
     }
 
     /// The title of the method that it is of.
     pub fn method(&self) -> Option<&str> {
-        let Cell { row, is_of_method, .. } = &self.shown;
-        if *is_of_method {
-            return row.split(", ").next();
-        }
+        let Cell { id, row, is_of_method, .. } = &self.shown;
         // The row of a ledger, whether or not its measurement moved.
-        let id = self.claim.as_deref().or_else(|| id_and_gist(row).map(|(id, _)| id))?;
-        let row = id.strip_prefix('T')?.split('.').nth(1)?;
-        PaperMethod::ALL.into_iter().find(|method| method.id() == row).map(|m| m.title())
+        let claim = || method_of(self.claim.as_deref().unwrap_or(id)).map(|method| method.title());
+        if *is_of_method { Some(row) } else { claim() }
     }
 
     /// What it is called among those of its method.
     pub fn label(&self) -> String {
-        let Cell { snapshot, row, column, is_of_method, .. } = &self.shown;
-        let what = match row.split_once(", ") {
-            _ if !is_of_method => None,
-            Some((_, what)) => Some(what),
-            None => Some(""),
-        };
-        let label = match (what, column.as_str()) {
-            (Some(_), "order") if snapshot == "orders" => "claimed order".to_string(),
-            (Some("" | "measured"), _) => column.clone(),
-            (Some(what), _) => format!("{what}, {column}"),
-            (None, "measured" | "found") => row.clone(),
-            (None, _) => format!("{row}: {column}"),
+        let Cell { row, part, column, is_of_method, .. } = &self.shown;
+        let heading = &column.heading;
+        let label = match (part.as_str(), *is_of_method, &self.claim) {
+            _ if self.shown.is(Quantity::Claimed) => format!("claimed {heading}"),
+            ("stated", ..) => format!("stated, {heading}"),
+            (_, true, _) => heading.clone(),
+            (.., Some(_)) => row.clone(),
+            _ => format!("{row}: {heading}"),
         };
         match &self.claim {
             Some(id) if !label.contains(id.as_str()) => format!("{label} `{id}`"),
@@ -108,11 +94,13 @@ impl Group {
 
 /// Groups the cells that moved, each in one item: methods of which something no longer is what it
 /// should be first, then by the largest change; what is of no method last. `now` is the newer
-/// version.
-pub fn groups(cells: Vec<Cell>, now: &Version) -> Result<Vec<Group>> {
+/// version, and `claims` are those of both.
+pub fn groups(cells: Vec<Cell>, now: &Version, claims: [&[Claim]; 2]) -> Result<Vec<Group>> {
     let mut items: Vec<Item> = Vec::new();
     for cell in cells {
-        let claim = claim_of(&cell);
+        // The columns of the paper's methods have more rows than the paper.
+        let claim = cell.column.claim(&cell.id);
+        let claim = claim.filter(|id| claims.iter().any(|claims| find(claims, id).is_some()));
         // Two cells of one claim are one quantity.
         let known = items.iter().position(|known| claim.is_some() && known.claim == claim);
         match known.or_else(|| repeated(&items, &cell)) {
@@ -147,12 +135,14 @@ pub fn groups(cells: Vec<Cell>, now: &Version) -> Result<Vec<Group>> {
 /// The order that a method claims, and what its slopes are a sign of if one of them leaves it.
 fn order(version: &Version, method: Option<&str>) -> Result<(Option<u32>, Option<String>)> {
     let orders = table(version, "orders")?;
-    let row = orders.iter().flat_map(|table| table.rows()).find(|row| Some(&*row[0]) == method);
-    let Some([_, order, _, slopes @ ..]) = row.map(Vec::as_slice) else { return Ok((None, None)) };
+    let mut rows = orders.iter().flat_map(|table| table.rows());
+    let Some(row) = rows.find(|row| Some(row.id()) == method) else { return Ok((None, None)) };
+    let claimed = row.of(Quantity::Claimed).next().with_context(|| "orders: corrupt: no order")?;
+    let order = &claimed.text;
     let order = order.parse().with_context(|| format!("orders: corrupt: {order} is no order"))?;
-    let slopes: Vec<Value> = slopes.iter().map(|slope| Value::new(slope)).collect();
-    let numbers = slopes.iter().filter_map(|slope| Some(leading(&slope.text)?.value));
-    let leaves = slopes.iter().any(|slope| slope.marked);
+    let slopes = || row.of(Quantity::Slope);
+    let numbers = slopes().filter_map(|slope| Some(slope.number()?.value));
+    let leaves = slopes().any(|slope| slope.differs);
     let sign = leaves.then(|| sign_of_slopes(order, &numbers.collect::<Vec<_>>())).flatten();
     Ok((Some(order), sign))
 }
@@ -160,8 +150,7 @@ fn order(version: &Version, method: Option<&str>) -> Result<(Option<u32>, Option
 /// The one number of another table that a cell of the ledger repeats. Of two that moved alike
 /// either may be meant, and of numbers of few digits many do: the cell then stands by itself.
 fn repeated(items: &[Item], cell: &Cell) -> Option<usize> {
-    let number =
-        |value: &Option<Value>| leading(&value.as_ref()?.text).map(|n| (n.value, n.digits));
+    let number = |value: &Option<Value>| value.as_ref()?.number().map(|n| (n.value, n.digits));
     let numbers = |cell: &Cell| number(&cell.old).zip(number(&cell.new));
     let ((_, old), (_, new)) = numbers(cell).filter(|_| cell.snapshot.starts_with("ledger_"))?;
     let is_same =
@@ -169,25 +158,4 @@ fn repeated(items: &[Item], cell: &Cell) -> Option<usize> {
     let mut same = (0..items.len()).filter(|&i| is_same(&items[i]));
     let only = same.next().filter(|_| same.next().is_none());
     only.filter(|_| old > 3 && new > 3)
-}
-
-/// The claim that a cell has the measurement of.
-fn claim_of(cell: &Cell) -> Option<String> {
-    let Cell { snapshot, row, column, .. } = cell;
-    let (table, row, heading) = match (snapshot.as_str(), column.as_str()) {
-        ("ledger_cells" | "ledger_sentences" | "predictions", "measured") => {
-            return id_and_gist(row).map(|(id, _)| id.to_string());
-        }
-        // The table of all methods has those of the paper, too.
-        ("methods", "ΔH over 1000 s (J)") => (5, row.as_str(), "ΔH (J)"),
-        ("methods", "order") => (2, row.as_str(), "Order"),
-        ("methods", "symplectic") => (2, row.as_str(), "Symplectic"),
-        ("methods", "evaluations a step") => (2, row.as_str(), "Evaluations a step"),
-        ("methods", "energy") => (2, row.as_str(), "Energy over 1000 s"),
-        (name, heading) => {
-            let table = name.strip_prefix("table_")?.parse().ok()?;
-            (table, row.strip_suffix(", measured")?, heading)
-        }
-    };
-    cell_at(table, row, heading)
 }

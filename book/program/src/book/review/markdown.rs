@@ -204,19 +204,20 @@ impl Document {
         self.list(claims.iter().map(|turn| {
             let Turn { old, new, claim } = turn;
             let Claim { id, gist, stated, measured, remark, .. } = claim;
-            let word =
-                |verdict: &String| if verdict.is_empty() { "none".into() } else { prose(verdict) };
+            let word = |verdict: Option<Verdict>| {
+                verdict.map_or_else(|| "none".to_string(), |verdict| verdict.to_string())
+            };
             let verdict = match turn.flips() {
-                true => format!("{} → **{}**", word(old), word(new)),
-                false => format!("{}, for another reason", word(new)),
+                true => format!("{} → **{}**", word(*old), word(*new)),
+                false => format!("{}, for another reason", word(*new)),
             };
             let values = prose(&format!("stated {stated}, measured {measured}. {remark}"));
             format!("{} {}: {verdict}; {}", code(&[id]), prose(gist), values.trim_end())
         }));
-        let turned = |name: &str| claims.iter().any(|turn| turn.flips() && turn.new == name);
+        let turned = |verdict| claims.iter().any(|turn| turn.flips() && turn.new == Some(verdict));
         let meanings: Vec<String> = Verdict::ALL
             .into_iter()
-            .filter(|verdict| turned(&verdict.to_string()))
+            .filter(|verdict| turned(*verdict))
             .map(|verdict| prose(&format!("{verdict}: {}.", verdict.meaning())))
             .collect();
         if !meanings.is_empty() {

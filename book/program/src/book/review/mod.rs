@@ -2,7 +2,7 @@
 //! each quantity once, figures as they are seen, and how to accept each.
 //!
 //! [`working_tree`] has the snapshots that one works on, and accepts them; [`cells`] compares
-//! tables cell by cell and [`groups`] groups what moved; [`mod@claims`] reads verdicts and
+//! tables cell by cell and [`groups`] groups what moved; [`mod@claims`] has verdicts and
 //! predictions, and what the book says of them, [`drawings`] compares figures, and [`source`] what
 //! changed in the code. A [`Review`] holds all of it, [`verdict`] sums it up, [`markdown`] writes
 //! it in `words`, and [`render`] makes a page or plain text of that.
@@ -11,7 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use anyhow::Result;
+use pendula_study::claims::Verdict;
 use pendula_study::report::snapshots::Kind;
+use pendula_study::report::table::Quantity;
 
 use self::cells::{Cell, differences};
 use self::claims::{Claim, Quote, claims, find, quotes, table};
@@ -83,10 +85,10 @@ pub struct Change {
 /// A claim with another verdict, or with the same for another reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Turn {
-    /// The verdict before; empty for a claim that is new.
-    pub old: String,
-    /// The verdict now; empty for a claim that has gone.
-    pub new: String,
+    /// The verdict before; none of a claim that is new.
+    pub old: Option<Verdict>,
+    /// The verdict now; none of a claim that has gone.
+    pub new: Option<Verdict>,
     /// The claim now, or as it was if it has gone.
     pub claim: Claim,
 }
@@ -95,11 +97,6 @@ impl Turn {
     /// Whether the verdict itself is another.
     pub fn flips(&self) -> bool {
         self.old != self.new
-    }
-
-    /// Whether the claim is a cell of a table of results.
-    pub fn is_cell(&self) -> bool {
-        self.claim.id.starts_with('T')
     }
 }
 
@@ -143,12 +140,12 @@ impl Review {
         let mut cells = cells_of(Kind::Table)?;
         cells.extend(cells_of(Kind::Recorded)?);
         // Verdicts are shown with their claims.
-        cells.retain(|cell| cell.column != "verdict" || !cell.snapshot.starts_with("ledger_"));
+        cells.retain(|cell| !cell.is(Quantity::Verdict));
         let mut bits: Vec<String> =
-            cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.row).collect();
+            cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.id).collect();
         bits.dedup();
         let quotes = quotes(chapters, &before, &now)?;
-        let groups = groups::groups(cells, new)?;
+        let groups = groups::groups(cells, new, [&before, &now])?;
         let figures = of_kind(Kind::Figure).map(|change| figure(&change.name, old, new));
         let mut figures: Vec<Figure> = figures.collect();
         figures.sort_by_key(|figure| !figure.is_visible());
@@ -208,7 +205,7 @@ fn turns(before: &[Claim], now: &[Claim]) -> Vec<Turn> {
     for claim in now.iter().chain(gone) {
         let [old, new] = [before, now].map(|claims| find(claims, &claim.id));
         if old.map(|c| (&c.verdict, &c.remark)) != new.map(|c| (&c.verdict, &c.remark)) {
-            let [old, new] = [old, new].map(|c| c.map(|c| c.verdict.clone()).unwrap_or_default());
+            let [old, new] = [old, new].map(|c| c.and_then(|c| c.verdict));
             turns.push(Turn { old, new, claim: claim.clone() });
         }
     }

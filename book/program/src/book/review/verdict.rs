@@ -1,10 +1,12 @@
 //! The verdict of a review, in sentences: the worst that happened first, good news last.
 
-use super::cells::Value;
+use pendula_study::claims::Verdict;
+use pendula_study::report::table::{Cell as Value, Quantity};
+
+use super::claims::said;
 use super::groups::{Group, Item};
-use super::words::change_text;
+use super::words::{change_text, typeset};
 use super::{Review, Turn};
-use crate::book::number::leading;
 
 /// How much a sentence matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -91,13 +93,9 @@ fn items(review: &Review) -> impl Iterator<Item = (&str, &Group, &Item)> {
     methods.flat_map(|(method, group)| group.items.iter().map(move |item| (method, group, item)))
 }
 
-fn text(value: &Option<Value>) -> &str {
-    value.as_ref().map_or("—", |value| value.text.as_str())
-}
-
 /// Before → now.
 fn both(item: &Item) -> String {
-    format!("({} → {})", text(&item.shown.old), text(&item.shown.new))
+    format!("({} → {})", typeset(&item.shown.old), typeset(&item.shown.new))
 }
 
 /// The methods that were not there before.
@@ -114,11 +112,9 @@ fn new_methods(review: &Review) -> Vec<String> {
 fn orders(review: &Review) -> Vec<Sentence> {
     let (mut lost, mut found) = (Vec::new(), Vec::new());
     // A method that is new has lost nothing, and found nothing again.
-    let measured = |item: &Item| {
-        item.is_order() && item.shown.snapshot != "orders" && item.shown.old.is_some()
-    };
+    let measured = |item: &Item| item.shown.is(Quantity::Order) && item.shown.old.is_some();
     for (method, group, item) in items(review).filter(|(.., item)| measured(item)) {
-        let number = |value: &Option<Value>| leading(text(value)).map(|number| number.value);
+        let number = |value: &Option<Value>| Some(value.as_ref()?.number()?.value);
         let claimed = group.claimed.map(f64::from).or_else(|| number(&item.shown.old));
         // What is no number is no order.
         let off = |value: &Option<Value>| {
@@ -143,7 +139,7 @@ fn orders(review: &Review) -> Vec<Sentence> {
 /// The methods of which slopes left the window around their order, each with its last slope,
 /// between the shortest steps.
 fn slopes(review: &Review) -> Vec<String> {
-    let left = items(review).filter(|(.., item)| item.is_slope() && item.leaves());
+    let left = items(review).filter(|(.., item)| item.shown.is(Quantity::Slope) && item.leaves());
     let left: Vec<_> = left.collect();
     let last = left.chunk_by(|a, b| a.0 == b.0).filter_map(|of_one| of_one.last());
     last.map(|(method, _, item)| format!("{method} {}", both(item))).collect()
@@ -152,28 +148,30 @@ fn slopes(review: &Review) -> Vec<String> {
 /// Whether a method is symplectic, and what its energy does.
 fn properties(review: &Review) -> Vec<Sentence> {
     let say = |(method, _, item): (&str, &Group, &Item)| {
-        let column = item.shown.column.to_lowercase();
-        if column == "symplectic" {
-            let is_lost = text(&item.shown.new).eq_ignore_ascii_case("no");
-            let weight = if is_lost { Alarm } else { Calm };
-            return Some((weight, format!("{method}: symplectic {}", both(item))));
+        let now = item.shown.new.as_ref();
+        match item.shown.column.quantity? {
+            Quantity::Symplectic => {
+                let is_lost = now.and_then(Value::truth) == Some(false);
+                let weight = if is_lost { Alarm } else { Calm };
+                Some((weight, format!("{method}: symplectic {}", both(item))))
+            }
+            Quantity::Energy => Some((Alarm, format!("{method}: its energy {}", both(item)))),
+            _ => None,
         }
-        let is_energy = column.starts_with("energy");
-        is_energy.then(|| (Alarm, format!("{method}: its energy {}", both(item))))
     };
     items(review).filter(|(.., item)| item.shown.old.is_some()).filter_map(say).collect()
 }
 
 /// Cells that no longer are what the paper prints, and those that are again.
 fn cells(review: &Review) -> Vec<Sentence> {
-    let named = |wrong: fn(&Turn) -> &str| -> Vec<String> {
-        let turned = review.claims.iter().filter(|turn| turn.flips() && wrong(turn) == "wrong");
+    let named = |verdict: fn(&Turn) -> Option<Verdict>| -> Vec<String> {
+        let turned = review.claims.iter().filter(|turn| turn.flips() && turn.claim.is_cell);
         let say = |Turn { claim, .. }: &Turn| {
             format!("{} (stated {}, now {})", claim.id, claim.stated, claim.measured)
         };
-        turned.filter(|turn| turn.is_cell()).map(say).collect()
+        turned.filter(|turn| verdict(turn) == Some(Verdict::Wrong)).map(say).collect()
     };
-    let (lost, found) = (named(|turn| &turn.new), named(|turn| &turn.old));
+    let (lost, found) = (named(|turn| turn.new), named(|turn| turn.old));
     let lost = several(Alarm, "cell", "no longer as the paper prints", &lost, 3);
     let lost = lost.unwrap_or((Calm, "Every cell that met the paper still does".to_string()));
     let found = several(Calm, "cell", "now as the paper prints", &found, 3);
@@ -194,16 +192,16 @@ fn claims(review: &Review) -> Vec<Sentence> {
     let mut kinds: [Vec<String>; 3] = Default::default();
     for turn in review.claims.iter().filter(|turn| turn.flips()) {
         let id = &turn.claim.id;
-        match (turn.old.as_str(), turn.new.as_str()) {
-            ("", _) => kinds[1].push(id.clone()),
-            (_, "") => kinds[2].push(id.clone()),
-            _ if turn.is_cell() => {}
-            (old, new) => kinds[0].push(format!("{id} ({old} → {new})")),
+        match (turn.old, turn.new) {
+            (None, _) => kinds[1].push(id.clone()),
+            (_, None) => kinds[2].push(id.clone()),
+            _ if turn.claim.is_cell => {}
+            (old, new) => kinds[0].push(format!("{id} ({} → {})", said(old), said(new))),
         }
     }
     let words = [(Alarm, "with another verdict"), (Moved, "new"), (Moved, "gone")];
-    let said = words.into_iter().zip(&kinds);
-    said.filter_map(|((weight, which), ids)| several(weight, "claim", which, ids, 4)).collect()
+    let told = words.into_iter().zip(&kinds);
+    told.filter_map(|((weight, which), ids)| several(weight, "claim", which, ids, 4)).collect()
 }
 
 /// How many quantities moved, and by how much.

@@ -1,9 +1,10 @@
 //! What moved, in words, and words in Markdown.
 
 use pendula_study::digits::Digits;
+use pendula_study::report::table::Cell as Value;
 
 use super::Figure;
-use super::cells::Value;
+use super::cells::Cell;
 use super::groups::{Group, Item};
 use super::verdict::counted;
 use crate::book::preprocess::markdown::fence;
@@ -11,23 +12,20 @@ use pendula_judge::printable::printable;
 
 /// A row of a table: what it is, before, now, and how far these are apart.
 pub fn row(item: &Item) -> [String; 4] {
-    let (mut old, mut new) = (shown(&item.shown.old), shown(&item.shown.new));
-    // Two values of a sentence without the definition in parentheses that both end with.
-    if let (Some((a, definition)), Some((b, same))) = (old.split_once(" ("), new.split_once(" ("))
-        && definition == same
-    {
-        (old, new) = (a.to_string(), b.to_string());
-    }
-    [item.label(), old, new, item.change().map_or_else(String::new, change_text)]
+    let Item { shown: Cell { old, new, .. }, .. } = item;
+    [item.label(), shown(old), shown(new), item.change().map_or_else(String::new, change_text)]
 }
 
-/// A cell's text with its mark; a dash for none.
+/// What a cell says; a dash for none.
+pub fn typeset(value: &Option<Value>) -> String {
+    let value = value.as_ref().filter(|value| !value.is_empty());
+    value.map_or_else(|| "—".to_string(), Value::typeset)
+}
+
+/// The same after its mark.
 fn shown(value: &Option<Value>) -> String {
-    match value {
-        Some(Value { text, marked: true }) => format!("≠ {text}"),
-        Some(Value { text, .. }) if !text.is_empty() => text.clone(),
-        _ => "—".to_string(),
-    }
+    let differs = value.as_ref().is_some_and(|value| value.differs);
+    format!("{}{}", if differs { "≠ " } else { "" }, typeset(value))
 }
 
 /// The relative change from `old` to `new`; `None` from zero, and where there is none.

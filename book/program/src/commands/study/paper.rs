@@ -49,7 +49,8 @@ pub fn tables(arguments: &TablesArguments, out: &mut dyn Write) -> Result<(), Fa
         TableFormat::Text => {
             for (index, &number) in numbers.iter().enumerate() {
                 let gap = if index == 0 { "" } else { "\n" };
-                let text = table(&ledger, number).map(|table| table.to_text()).unwrap_or_default();
+                let text = table(&ledger, number).map(|table| table.typeset().to_text());
+                let text = text.unwrap_or_default();
                 let title = colour::output(colour::HEAD, format!("Table {number}"));
                 let definition = ledger.table(number).next().map_or("", |claim| claim.definition);
                 let (head, rows) = text.split_once('\n').unwrap_or((&text, ""));

@@ -141,7 +141,7 @@ fn compared(
 
 /// What to do about a pending file that the code does not give.
 const STALE: &str =
-    "its pending file is not what the code gives now; run the tests again, or `cargo insta reject`";
+    "its pending file is not what the code gives now; run the tests again, or remove it";
 /// What to do about a program that is older than its source.
 const RUN: &str =
     "what it computes may be something else; `cargo run --release -- review` compiles it";

@@ -18,18 +18,18 @@ use crate::root;
 /// What half kicks of 0.4999 h do to one of Störmer–Verlet's cells, wherever it stands, and to a
 /// slope.
 const HALF_KICKS: [(&str, &str, &str); 5] = [
-    ("table_4", "  1.10271 × 10⁻⁵", "≠ 1.11730 × 10⁻⁵"),
-    ("predictions", "1.10271 × 10⁻⁵ |   1.10271 × 10⁻⁵ |", "1.10271 × 10⁻⁵ | ≠ 1.11730 × 10⁻⁵ |"),
+    ("table_4", "  1.10271e-5", "≠ 1.11730e-5"),
+    ("predictions", "1.10271e-5 |   1.10271e-5 |", "1.10271e-5 | ≠ 1.11730e-5 |"),
     (
         "ledger_cells",
-        "1.10271 × 10⁻⁵ | reproduced |",
-        "1.11730 × 10⁻⁵ | ≠ **wrong** (on record: reproduced) |",
+        "1.10271e-5 | reproduced |         |",
+        "1.11730e-5 | ≠ wrong | (on record: reproduced) |",
     ),
     (
         "orders",
-        "| Störmer–Verlet        |     2 |       0.010547 \
+        "| Störmer–Verlet        |       2 |       0.010547 \
          |    2.00 |    2.00 |    2.00 |    2.00 |",
-        "| Störmer–Verlet        |     2 |       0.010547 \
+        "| Störmer–Verlet        |       2 |       0.010547 \
          |    2.00 |    2.00 |    2.00 |  ≠ 2.11 |",
     ),
     ("bits", "c2c47d4665baff4a", "c2c47d4665baff4b"),
@@ -69,10 +69,11 @@ fn the_worst_comes_first() {
 /// lost and said calmly.
 #[test]
 fn what_falls_and_what_is_lost_counts() {
-    let fallen = ("table_4", "7.29789 × 10⁻²", "7.00000 × 10⁻²");
+    let fallen = ("table_4", "7.29789e-2", "7.00000e-2");
     let fallen = said(&review(&[HALF_KICKS[0], fallen]), Weight::Moved);
     assert_eq!(fallen[0], "2 values moved, by up to −4.08 % of Symplectic Euler");
-    let with = |is| format!("| Symplectic Euler      |      1 |        {is} |");
+    let with =
+        |is| format!("| Symplectic Euler      |                1 |                   {is} |");
     let [yes, no] = ["yes", " no"].map(with);
     let lost = said(&review(&[("methods", &yes, &no)]), Weight::Alarm);
     assert_eq!(lost, ["Symplectic Euler: symplectic (yes → no)"]);
@@ -87,7 +88,7 @@ fn a_new_method_is_said_to_be_new() {
         let text = &mut before.get_mut(name).unwrap().text;
         *text = text
             .lines()
-            .filter(|line| !line.starts_with("| Suzuki 4 "))
+            .filter(|line| !line.contains("| Suzuki 4 "))
             .fold(String::new(), |text, line| text + line + "\n");
     }
     let review = between(&before, &REVIEWED);
@@ -101,12 +102,16 @@ fn a_new_method_is_said_to_be_new() {
 const SUZUKI: [(&str, &str, &str); 2] = [
     (
         "orders",
-        "| Suzuki 4              |     4 |       0.021094 \
+        "| Suzuki 4              |       4 |       0.021094 \
          |    4.00 |    4.00 |    4.00 |    4.00 |",
-        "| Suzuki 4              |     4 |       0.021094 \
+        "| Suzuki 4              |       4 |       0.021094 \
          |  ≠ 3.82 |  ≠ 3.45 |  ≠ 2.82 |  ≠ 2.28 |",
     ),
-    ("methods", "| Suzuki 4              |      4 |", "| Suzuki 4              |      2 |"),
+    (
+        "methods",
+        "| Suzuki 4              |                4 |",
+        "| Suzuki 4              |                2 |",
+    ),
 ];
 
 /// Catches: a headline of anything less than an order that is lost; an order with a percentage;
@@ -144,12 +149,14 @@ fn an_order_that_is_lost_is_the_headline() {
     assert!(good.contains("1 order there again: Suzuki 4 (2 → 4)"), "{body}");
     assert!(last.starts_with("Accept\n\nA snapshot"), "{body}");
     // A higher order than claimed is none that the method should have, either.
-    let [second, third] = [2, 3].map(|order| format!("| Heun                  |      {order} |"));
+    let heun = |order| format!("| Heun                  |                {order} |");
+    let [second, third] = [2, 3].map(heun);
     let higher = [("methods", second.as_str(), third.as_str())];
     let higher = Document::new(&super::review(&higher)).unwrap();
     assert_eq!(higher.headline, "Heun lost its order (2 → 3)");
     // Another claim is no other order.
-    let [fourth, second] = [4, 2].map(|order| format!("| Suzuki 4              |     {order} |"));
+    let suzuki = |order| format!("| Suzuki 4              |       {order} |");
+    let [fourth, second] = [4, 2].map(suzuki);
     let claims = [("orders", fourth.as_str(), second.as_str())];
     let claims = Document::new(&super::review(&claims)).unwrap();
     assert_eq!(claims.headline, "1 value moved");
@@ -181,18 +188,14 @@ fn a_number_that_may_be_another_stands_by_itself() {
     let made = |measured: [&str; 2], sentence: &str, first: &str| {
         let [a, b] = measured;
         let content = |text: String| Content { kind: Kind::Table, text };
-        let table_7 = format!(
-            "| Quantity | measured |\n| --- | --- |\n{first}| a period | {a} |\n\
-             | its error | {b} |\n"
-        );
-        let rows = first.replace("| a new ", "| `T7.new` a new ");
-        let cells = format!(
-            "| Claim | measured |\n| --- | --- |\n{rows}| `T7.period` a period | {a} |\n\
-             | `T7.error` its error | {b} |\n"
-        );
-        let sentences = format!(
-            "| Claim | measured |\n| --- | --- |\n| `P1.same` as in Table 7 | {sentence} |\n"
-        );
+        let table = |names: &str, rows: &str| {
+            format!("| {names} | measured |\n| -- | -- | -- |\n| * |  | * |\n{rows}")
+        };
+        let rows =
+            format!("{first}| T7.period | a period | {a} |\n| T7.error | its error | {b} |\n");
+        let (table_7, cells) = (table("id | Quantity", &rows), table("Claim | gist", &rows));
+        let sentences = format!("| P1.same | as in Table 7 | {sentence} |\n");
+        let sentences = table("Claim | gist", &sentences);
         Version::from([
             ("table_7".to_string(), content(table_7)),
             ("ledger_cells".to_string(), content(cells)),
@@ -206,18 +209,18 @@ fn a_number_that_may_be_another_stands_by_itself() {
     };
     let claim = |id: &str, also: usize| (id.to_string(), also);
     let old = || made(["1.2345", "1.2345"], "1.2345", "");
-    let alone = ["", "", "T7.period", "T7.error", "P1.same"].map(|id| claim(id, 0));
+    let alone = [claim("T7.period", 1), claim("T7.error", 1), claim("P1.same", 0)];
     assert_eq!(items(old(), made(["1.2346", "1.2346"], "1.2346", "")), alone);
     // One alone moved so: the sentence repeats it.
-    let new = made(["1.2346", "1.2347"], "1.2346", "| a new row | 1.2345 |\n");
+    let new = made(["1.2346", "1.2347"], "1.2346", "| T7.new | a new row | 1.2345 |\n");
     assert_eq!(
         items(old(), new),
-        [claim("", 0), claim("T7.period", 2), claim("T7.error", 1), claim("T7.new", 0)]
+        [claim("T7.new", 1), claim("T7.period", 2), claim("T7.error", 1)]
     );
     let short = || made(["1.23", "1.24"], "1.23", "");
     assert_eq!(
         items(short(), made(["1.25", "1.24"], "1.25", "")),
-        [claim("", 0), claim("T7.period", 0), claim("P1.same", 0)]
+        [claim("T7.period", 1), claim("P1.same", 0)]
     );
 }
 
@@ -249,8 +252,8 @@ fn claims_that_turn_are_told_from_new_reasons() {
     let review = review(&[
         (
             "ledger_sentences",
-            "**not checkable**. The code is not supplied, and Section 8",
-            "**wrong**. The code, says Section 8,",
+            "not checkable | The code is not supplied, and Section 8",
+            "wrong | The code, says Section 8,",
         ),
         ("ledger_sentences", "Table 3 has the same.", "So has Table 3."),
     ]);
@@ -338,7 +341,7 @@ fn no_text_becomes_markup() {
         let mut review = review(&[
             (
                 "methods",
-                "| Suzuki 4              |      4 |",
+                "| Suzuki 4              |                4 |",
                 &format!("| {hostile} | 7 {hostile} |"),
             ),
             ("ledger_sentences", "Table 3 has the same.", hostile),
