@@ -65,7 +65,8 @@ const SNIPPETS: &[&str] = &[
     // Code, lists and tables.
     "`", "```", "```rust\n", "~~~", "    ", "\t", "\n", "\n\n", "\r\n", "> ", "* ", "1. ", "- [ ] ",
     "|", "|---|\n", "| Claim | verdict |\n|---|---|\n| `T4.rk4.0.01` | reproduced |\n",
-    "| Claim |\n|--:|\n| `no` |\n", "| id | a |\n| -- | -- |\n| * | T1.* |\n| b | ≠ 1e-3 |\n", "Table: A caption.\n\n", "Table[RK4]: x\n\n", "Table[]:",
+    "| Claim |\n|--:|\n| `no` |\n", "| id | a |\n| -- | -- |\n| * | T1.* |\n| b | ≠ 1e-3 |\n",
+    "Table: A caption.\n\n", "Table[RK4]: x\n\n", "Table[]:",
     // Other markup.
     "<div>", "</main>", "<script>x</script>", "<!-- ", " -->", "[a](b.md", "![](", "[^1]",
     "[^1]: note", "# ", "## \n", "\\", "&", "&nbsp;", "&#0;", "*", "**", "_",

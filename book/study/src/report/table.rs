@@ -14,8 +14,6 @@
 //! are the measurements of, where `*` stands for the row's name. Numbers stand there as programs
 //! write them, and ≠ before a cell says that it is not what it should be.
 
-use std::fmt::{self, Display};
-
 use crate::digits::typeset;
 
 /// What the cells of a column are to who reviews them.
@@ -38,18 +36,10 @@ pub enum Quantity {
 impl Quantity {
     const ALL: [Self; 6] =
         [Self::Order, Self::Claimed, Self::Slope, Self::Symplectic, Self::Energy, Self::Verdict];
-}
 
-impl Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Order => "order",
-            Self::Claimed => "claimed",
-            Self::Slope => "slope",
-            Self::Symplectic => "symplectic",
-            Self::Energy => "energy",
-            Self::Verdict => "verdict",
-        })
+    /// The word for it.
+    fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
     }
 }
 
@@ -63,7 +53,7 @@ pub struct Column {
     /// The id of the claim that a cell is the measurement of, with `*` for the name of its row.
     pub claims: Option<String>,
     /// Whether it is flush right, as values are.
-    is_value: bool,
+    pub is_value: bool,
 }
 
 impl Column {
@@ -87,11 +77,6 @@ impl Column {
         self.claims.as_ref().map(|claims| claims.replace('*', id))
     }
 
-    /// Whether it is flush right, as values are.
-    pub fn is_value(&self) -> bool {
-        self.is_value
-    }
-
     /// Whether its values may be marked.
     fn is_judged(&self) -> bool {
         self.is_value && (self.claims.is_some() || self.quantity == Some(Quantity::Slope))
@@ -99,18 +84,20 @@ impl Column {
 
     /// What it holds, in words.
     fn told(&self) -> String {
-        let quantity = self.quantity.map(|quantity| quantity.to_string());
+        let quantity = self.quantity.map(Quantity::name);
         quantity.into_iter().chain(self.claims.clone()).collect::<Vec<_>>().join(" ")
     }
 
     /// Takes what [`Column::told`] has said.
-    fn hear(&mut self, told: &str) {
+    fn hear(&mut self, told: &str) -> Result<(), &'static str> {
         for word in told.split_whitespace() {
-            match Quantity::ALL.into_iter().find(|quantity| quantity.to_string() == word) {
-                None => self.claims = Some(word.to_string()),
+            match Quantity::ALL.into_iter().find(|quantity| quantity.name() == word) {
+                None if word.contains(HOLDS) => self.claims = Some(word.to_string()),
+                None => return Err("a column of what there is not"),
                 quantity => self.quantity = quantity,
             }
         }
+        Ok(())
     }
 }
 
@@ -172,11 +159,11 @@ impl Cell {
         self.text.is_empty() || self.text == "—"
     }
 
-    /// Its text as it is read: numbers typeset.
+    /// Its text as it is read: if it begins with a number, numbers are typeset.
     pub fn typeset(&self) -> String {
         let set = |word: &str| match Number::read(word) {
-            Some(_) => typeset(word),
-            None => word.to_string(),
+            Some(_) if self.number().is_some() => typeset(word),
+            _ => word.to_string(),
         };
         self.text.split(' ').map(set).collect::<Vec<_>>().join(" ")
     }
@@ -282,10 +269,10 @@ impl Table {
             let dashes = "-".repeat((*width).max(2));
             if column.is_value { format!("{}:", &dashes[1..]) } else { dashes }
         });
-        let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
-        let mut lines = rows.iter().map(|row| line(self.aligned(row, &widths)));
-        let header = lines.next().unwrap_or_default();
-        [header, line(rule.collect())].into_iter().chain(lines).collect()
+        let mut lines: Vec<Vec<String>> =
+            rows.iter().map(|row| self.aligned(row, &widths)).collect();
+        lines.insert(1, rule.collect());
+        lines.iter().map(|cells| format!("| {} |\n", cells.join(" | "))).collect()
     }
 
     /// Reads a table between bars, in a snapshot or in Markdown: a header, a rule, and rows of the
@@ -317,7 +304,7 @@ impl Table {
             _ => (&[][..], rows),
         };
         for (column, told) in table.columns.iter_mut().zip(holds).skip(1) {
-            column.hear(told);
+            column.hear(told)?;
         }
         for row in rows {
             table.push(row.iter().map(|cell| match cell.strip_prefix('≠') {
@@ -335,8 +322,9 @@ impl Table {
         let line =
             |row: &Vec<String>| format!("{}\n", self.aligned(row, &widths).join("  ").trim_end());
         let rule = "─".repeat(widths.iter().map(|width| width + 2).sum::<usize>() - 2) + "\n";
-        let lines = rows[1..].iter().map(line);
-        [line(&rows[0]), rule].into_iter().chain(lines).collect()
+        let mut lines: Vec<String> = rows.iter().map(line).collect();
+        lines.insert(1, rule);
+        lines.concat()
     }
 
     fn headings(&self) -> Vec<String> {

@@ -5,7 +5,7 @@ use pendula_judge::properties::{PROPERTIES, Property};
 use pendula_judge::zoo::{Impostor, impostors};
 
 use super::table::{Cell, Column, Quantity, Table};
-use crate::claims::{Claim, ClaimKind, Ledger, Measured, cell_id};
+use crate::claims::{Claim, ClaimKind, Ledger, Measured};
 use crate::digits::Digits::{self, Fixed, Scientific, Significant};
 use crate::experiments::characteristics::ROUNDING;
 use crate::experiments::{
@@ -20,34 +20,31 @@ pub const TABLES: [u32; 6] = [2, 4, 5, 6, 7, 8];
 pub fn table(ledger: &Ledger, number: u32) -> Option<Table> {
     match number {
         7 => Some(by_quantity(ledger, 7)),
-        _ => Some(by_method(ledger, number, &columns(number)?)),
+        _ => Some(by_method(ledger, columns(number)?)),
     }
 }
 
-/// The columns of Table `number`, as the ids of its cells name them, with their headings; `None` if
-/// it has no row for each method.
-fn columns(number: u32) -> Option<Vec<(String, String)>> {
-    let of = |columns: &[(&str, &str)]| {
-        let column = |&(name, title): &(&str, &str)| (name.to_string(), title.to_string());
-        Some(columns.iter().map(column).collect())
-    };
-    match number {
-        2 => of(&[
-            ("order", "Order"),
-            ("sympl", "Symplectic"),
-            ("evals", "Evaluations in one step"),
-            ("behav", "Energy over 1000 s"),
-        ]),
-        4 | 6 => Some(STEPS.map(|step| (step.to_string(), format!("Δt = {step} s"))).to_vec()),
-        5 => of(&[
-            ("dH", "ΔH (J)"),
-            ("pct", "ΔH in % of H(0)"),
-            ("H0", "H(0) (J)"),
-            ("Hend", "H(1000 s) (J)"),
-        ]),
-        8 => of(&[("evals", "Evaluations"), ("rms", "RMS error (rad)"), ("dH", "ΔH (J)")]),
-        _ => None,
-    }
+/// The columns of Table `number`; `None` if it has no row for each method.
+fn columns(number: u32) -> Option<Vec<Column>> {
+    use Quantity::{Energy, Order, Symplectic};
+    let of = |name: &str, title: &str| Column::from(title).of(format!("T{number}.*.{name}"));
+    Some(match number {
+        2 => vec![
+            of("order", "Order").is(Order),
+            of("sympl", "Symplectic").is(Symplectic),
+            of("evals", "Evaluations in one step"),
+            of("behav", "Energy over 1000 s").is(Energy),
+        ],
+        4 | 6 => STEPS.map(|step| of(&step.to_string(), &format!("Δt = {step} s"))).to_vec(),
+        5 => vec![
+            of("dH", "ΔH (J)"),
+            of("pct", "ΔH in % of H(0)"),
+            of("H0", "H(0) (J)"),
+            of("Hend", "H(1000 s) (J)"),
+        ],
+        8 => vec![of("evals", "Evaluations"), of("rms", "RMS error (rad)"), of("dH", "ΔH (J)")],
+        _ => return None,
+    })
 }
 
 /// Below this, rounding moves the second digit of an energy error (J), and with it the second
@@ -135,10 +132,15 @@ fn below_rounding(drift: f64) -> String {
 /// What theory predicts for the cells of the tables, beside what the paper states and what is
 /// measured.
 pub fn predictions(ledger: &Ledger) -> Table {
-    let measured = Column::from("measured").of("*");
-    let columns = ["Cell", "stated", "predicted"].map(Column::from).into_iter();
-    let columns = columns.chain([measured, "to within".into(), "law".into()]);
-    let mut table = Table::new(columns).with_remarks(1);
+    let mut table = Table::new([
+        "Cell".into(),
+        "stated".into(),
+        "predicted".into(),
+        Column::from("measured").of("*"),
+        "to within".into(),
+        "law".into(),
+    ])
+    .with_remarks(1);
     for prediction in crate::claims::predictions() {
         let Some(claim) = ledger.get(&prediction.id) else { continue };
         let agrees = match claim.measured {
@@ -344,21 +346,12 @@ fn stated(claim: &Claim) -> Cell {
 
 /// Two rows for each method, stated above measured; a method or column that the paper leaves out
 /// has dashes above.
-fn by_method(ledger: &Ledger, number: u32, columns: &[(String, String)]) -> Table {
-    let claims = columns.iter().map(|(column, title)| {
-        let of = Column::from(title.as_str()).of(format!("T{number}.*.{column}"));
-        match column.as_str() {
-            "order" => of.is(Quantity::Order),
-            "sympl" => of.is(Quantity::Symplectic),
-            "behav" => of.is(Quantity::Energy),
-            _ => of,
-        }
-    });
-    let mut table =
-        Table::new(["id", "Method", "value"].map(Column::from).into_iter().chain(claims));
+fn by_method(ledger: &Ledger, columns: Vec<Column>) -> Table {
+    let names = ["id", "Method", "value"].map(Column::from).into_iter();
+    let mut table = Table::new(names.chain(columns.iter().cloned()));
     for row in PaperMethod::ALL {
-        let cells: Vec<Option<&Claim>> =
-            columns.iter().map(|(column, _)| ledger.get(&cell_id(number, row, column))).collect();
+        let cell = |column: &Column| ledger.get(&column.claim(row.id())?);
+        let cells: Vec<Option<&Claim>> = columns.iter().map(cell).collect();
         let mut line = |[id, name, what]: [&str; 3], cell: fn(&Claim) -> Cell| {
             let cells = cells.iter().map(|claim| claim.map_or_else(Cell::default, cell));
             table.push([id, name, what].map(Cell::from).into_iter().chain(cells));

@@ -49,7 +49,7 @@ pub fn set(text: &str, quotes: &Quotes) -> Result<String> {
         let table = table.map_err(|why| anyhow!("a table of claims has {why}"))?;
         let style = |name: &str| {
             let mut columns = table.columns().iter();
-            let is_right = columns.any(|column| column.heading == name && column.is_value());
+            let is_right = columns.any(|column| column.heading == name && column.is_value);
             if is_right { " style=\"text-align: right\"" } else { "" }
         };
         let columns = VALUES.map(|name| (name, style(name)));

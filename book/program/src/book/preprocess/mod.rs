@@ -2,10 +2,11 @@
 //!
 //! mdBook's own `links` step has inserted the included text before. In order: every include is
 //! checked against the disk, and each snapshot against what the code makes of it now ([`checks`]),
-//! the pages of the tests are added ([`sources`]), and in each chapter tables of data are set
-//! ([`tables`]) and tables get their captions ([`captions`]), directives and formulas are replaced ([`chapter`], by [`typeset`]), listings
-//! become whole programs ([`listing`]) and [`questions`] forms. Then it is known which chapters
-//! quote which claim, and the ledger's tables link back to them ([`claims`]).
+//! the pages of the tests are added ([`sources`]), and in each chapter the data of snapshots become
+//! tables ([`tables`]) and get their captions ([`captions`]), directives and formulas are replaced
+//! ([`chapter`], by [`typeset`]), listings become whole programs ([`listing`]) and [`questions`]
+//! forms. Then it is known which chapters quote which claim, and the ledger's tables link back to
+//! them ([`claims`]).
 //!
 //! Nothing is repaired silently: what cannot be resolved stops the build, and the error names its
 //! chapter.

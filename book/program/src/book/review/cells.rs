@@ -109,8 +109,8 @@ mod tests {
         table
     }
 
-    /// Catches: a mark that is passed over; an empty cell that appears reported as moved; a row that
-    /// is called by an id where it has a title, or has none of its own.
+    /// Catches: a mark that is passed over; an empty cell that appears reported as moved; a row
+    /// that is called by an id where it has a title, or has none of its own.
     #[test]
     fn each_cell_is_compared_with_its_own_past() {
         let table = |rows: &[[&str; 4]], marked: usize| {

@@ -178,17 +178,16 @@ mod tests {
     #[test]
     fn a_ledger_is_read() {
         let content = |text: &str| Content { kind: Kind::Table, text: text.to_string() };
-        let ledger = "| Claim | gist | measured | verdict | because | kind |\n\
-                      | -- | -- | -- | -- | -- | -- |\n| * | | * | verdict | verdict | |\n\
-                      | T4.vv.0.1 | an error | 1.12e-1 | ≠ wrong | (on record: reproduced) | cell |\n\
-                      | T4.vv.0.2 | else | 2 | wrong | Because. | cell |\n\
-                      | T1.g | d | 2 | not checkable | | sentence |\n";
-        let ledger = ledger.replace("| |", "|  |").replace("| |", "|  |");
+        let ledger = "| Claim | measured | verdict | because | kind |\n\
+                      | -- | -- | -- | -- | -- |\n| * | * | verdict | verdict |  |\n\
+                      | T4.vv.0.1 | 1.12e-1 | ≠ wrong | (on record: reproduced) | cell |\n\
+                      | T4.vv.0.2 | 2 | wrong | Because. | cell |\n\
+                      | T1.g | 2 | not checkable |  | sentence |\n";
         let predictions = "| Cell | stated | predicted | measured |\n| -- | -- | -- | -- |\n\
                            | * |  |  | * |\n| T4.vv.0.1 | 1 | 1.10e-1 | ≠ 1.00e-1 |\n\
                            | T4.vv.0.2 | 1 | ≠ 1.1 | 1.0 |\n";
         let mut version = Version::new();
-        version.insert("ledger_cells".to_string(), content(&ledger));
+        version.insert("ledger_cells".to_string(), content(ledger));
         version.insert("predictions".to_string(), content(predictions));
         let read = claims(&version).unwrap();
         let found: Vec<_> =
