@@ -11,8 +11,9 @@
 //!
 //! The first column names each row; under the heading `id` it is for programs, and the book leaves
 //! it out. The row `*` says what the columns hold: a [`Quantity`], and the claims that their cells
-//! are the measurements of, where `*` stands for the row's name. Numbers stand there as programs
-//! write them, and ≠ before a cell says that it is not what it should be.
+//! are the measurements of, where `*` stands for the row's name. A recorded table of words may leave
+//! it out, and is then set as it stands. Numbers stand there as programs write them, and ≠ before a
+//! cell says that it is not what it should be.
 
 use crate::digits::typeset;
 

@@ -247,7 +247,6 @@ mod tests {
                 stated: value("2.01e-4"),
                 measured: value("3e-4"),
                 verdict: value("wrong"),
-                ..Entry::default()
             }),
             "T9.only" => Some(Entry { verdict: value("not checkable"), ..Entry::default() }),
             _ => None,

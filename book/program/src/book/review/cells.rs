@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use pendula_study::claims::method_of;
 use pendula_study::report::table::{Cell as Value, Column, Quantity, Table};
 
 /// A cell that moved, appeared or vanished.
@@ -11,12 +12,10 @@ pub struct Cell {
     pub snapshot: String,
     /// The id of its row.
     pub id: String,
-    /// What its row is called: for claims and their measurements in words, and else by its id.
-    pub row: String,
-    /// Which of a method's rows it is, stated or measured, where there are two.
-    pub part: String,
-    /// Whether its row is that of a method; then it is called by the method's title.
-    pub is_of_method: bool,
+    /// The title of the method that its row is of.
+    pub method: Option<String>,
+    /// What it is called among those of its method.
+    pub label: String,
     /// The column, and what it holds.
     pub column: Column,
     /// What it said; `None` if it is new.
@@ -67,34 +66,39 @@ const PART: &str = "value";
 
 /// The cells of a table, but for the names of its rows.
 fn cells(name: &str, table: &Table) -> Vec<Cell> {
-    let columns = table.columns();
-    let first = table.first();
-    let is_of_method = columns[first].heading == "Method";
+    let (columns, first) = (table.columns(), table.first());
+    let are_methods = columns[first].heading == "Method";
     let are_claims = columns.iter().any(|column| column.claims.is_some());
     let (mut above, mut cells) = ("", Vec::new());
     for row in table.rows() {
+        let (id, cell) = (row.id().to_string(), &row.cells[first]);
         // A name stands once above several rows.
-        if !row.cells[first].is_empty() {
-            above = &row.cells[first].text;
-        }
-        let called = match row.get("gist") {
-            Some(gist) => format!("`{}` {}", row.id(), gist.text),
-            None if are_claims => above.to_string(),
-            None => row.id().to_string(),
+        above = if cell.is_empty() { above } else { &cell.text };
+        let method = match are_methods {
+            true => Some(above.to_string()),
+            false => method_of(&id).map(|method| method.title().to_string()),
         };
-        let part = row.get(PART).map_or_else(String::new, |part| part.text.clone());
+        // Claims and their measurements are called so in words, other rows by their ids.
+        let called = match row.get("gist") {
+            Some(gist) => format!("`{id}` {}", gist.text),
+            None if are_claims => above.to_string(),
+            None => id.clone(),
+        };
+        let is_stated = row.get(PART).is_some_and(|part| part.text == "stated");
         let values = columns.iter().zip(row.cells).skip(first + 1);
-        let values = values.filter(|(column, _)| column.heading != PART);
-        cells.extend(values.map(|(column, value)| Cell {
-            snapshot: name.to_string(),
-            id: row.id().to_string(),
-            row: called.clone(),
-            part: part.clone(),
-            is_of_method,
-            column: column.clone(),
-            old: None,
-            new: Some(value.clone()),
-        }));
+        for (column, value) in values.filter(|(column, _)| column.heading != PART) {
+            let heading = &column.heading;
+            let label = match column.claims {
+                _ if is_stated => format!("stated, {heading}"),
+                _ if column.quantity == Some(Quantity::Claimed) => format!("claimed {heading}"),
+                _ if are_methods => heading.clone(),
+                Some(_) => called.clone(),
+                None => format!("{called}: {heading}"),
+            };
+            let (snapshot, id, method) = (name.to_string(), id.clone(), method.clone());
+            let (column, new) = (column.clone(), Some(value.clone()));
+            cells.push(Cell { snapshot, id, method, label, column, old: None, new });
+        }
     }
     cells
 }
@@ -131,10 +135,10 @@ mod tests {
         let cells = differences("t", Some(&old), Some(&new));
         let value = |text: &str, differs| Some(Value { text: text.to_string(), differs });
         let rows: Vec<_> =
-            cells.iter().map(|c| (&c.row[..], &c.part[..], &c.old, &c.new)).collect();
+            cells.iter().map(|c| (c.method.as_deref(), &c.label[..], &c.old, &c.new)).collect();
         let expected = [
-            ("A", "measured", &value("1.1", false), &value("1.1", true)),
-            ("B", "stated", &value("2", false), &None),
+            (Some("A"), "ΔH", &value("1.1", false), &value("1.1", true)),
+            (Some("B"), "stated, ΔH", &value("2", false), &None),
         ];
         assert_eq!(rows, expected);
         assert!(cells[0].leaves() && cells[0].column.claim(&cells[0].id).unwrap() == "T5.a.dH");
@@ -152,9 +156,9 @@ mod tests {
         let new = table(&[("c", "1"), ("d", "2"), ("b", "1")]);
         let cells = differences("t", Some(&old), Some(&new));
         let text = |value: &Option<Value>| value.as_ref().map_or("", |v| &v.text).to_string();
-        let said = |cell: &Cell| (cell.row.clone(), text(&cell.old) + "→" + &text(&cell.new));
+        let said = |cell: &Cell| (cell.label.clone(), text(&cell.old) + "→" + &text(&cell.new));
         let said: Vec<_> = cells.iter().map(said).collect();
-        let expected = [("d", "→2"), ("b", "2→1"), ("a", "1→")];
+        let expected = [("d: found", "→2"), ("b: found", "2→1"), ("a: found", "1→")];
         assert_eq!(said, expected.map(|(row, change)| (row.to_string(), change.to_string())));
     }
 }

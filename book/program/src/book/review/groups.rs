@@ -2,7 +2,6 @@
 
 use anyhow::{Context, Result};
 use pendula_judge::sign_of_slopes;
-use pendula_study::claims::method_of;
 use pendula_study::report::table::{Cell as Value, Quantity};
 
 use super::cells::Cell;
@@ -41,28 +40,12 @@ impl Item {
         change(old, new).filter(|_| !self.is_order_or_slope())
     }
 
-    /// The title of the method that it is of.
-    pub fn method(&self) -> Option<&str> {
-        let Cell { id, row, is_of_method, .. } = &self.shown;
-        // The row of a ledger, whether or not its measurement moved.
-        let claim = || method_of(self.claim.as_deref().unwrap_or(id)).map(|method| method.title());
-        if *is_of_method { Some(row) } else { claim() }
-    }
-
     /// What it is called among those of its method.
     pub fn label(&self) -> String {
-        let Cell { row, part, column, is_of_method, .. } = &self.shown;
-        let heading = &column.heading;
-        let label = match (part.as_str(), *is_of_method, &self.claim) {
-            _ if self.shown.is(Quantity::Claimed) => format!("claimed {heading}"),
-            ("stated", ..) => format!("stated, {heading}"),
-            (_, true, _) => heading.clone(),
-            (.., Some(_)) => row.clone(),
-            _ => format!("{row}: {heading}"),
-        };
+        let label = &self.shown.label;
         match &self.claim {
             Some(id) if !label.contains(id.as_str()) => format!("{label} `{id}`"),
-            _ => label,
+            _ => label.clone(),
         }
     }
 }
@@ -114,7 +97,7 @@ pub fn groups(cells: Vec<Cell>, now: &Version, claims: [&[Claim]; 2]) -> Result<
     }
     let mut groups: Vec<Group> = Vec::new();
     for item in items {
-        let method = item.method().map(str::to_string);
+        let method = item.shown.method.clone();
         match groups.iter_mut().find(|group| group.method == method) {
             Some(group) => group.items.push(item),
             None => {
