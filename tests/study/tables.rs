@@ -66,12 +66,15 @@ fn each_table_of_a_snapshot_is_read_back() {
     assert_eq!(claims, [None, None, Some("T2.vv.order".to_string()), None, None]);
 }
 
-/// Catches: another text that is taken for a table; a quantity that is misspelt, and passed over.
+/// Catches: another text that is taken for a table; a quantity that is misspelt, and passed over; a
+/// reader who looks beyond the last column.
 #[test]
 fn what_is_no_table_is_refused() {
     let text = table().to_data();
     let first_lines = |n: usize| text.lines().take(n).collect::<Vec<_>>().join("\n");
     assert!(Table::read(&first_lines(3)).is_ok_and(|table| table.rows().len() == 0));
+    // Of one column that is all there is to see.
+    assert!(Table::read("| id |\n| -- |\n| a |\n").is_ok_and(|table| table.first() == 0));
     let uneven = format!("{text}| one |\n");
     let no_rule = first_lines(1) + "\n" + text.lines().nth(2).expect("a row");
     let unknown = text.replace("order T2", "ordr T2");

@@ -11,8 +11,8 @@
 //!
 //! The first column names each row; under the heading `id` it is for programs, and the book leaves
 //! it out. The row `*` says what the columns hold: a [`Quantity`], and the claims that their cells
-//! are the measurements of, where `*` stands for the row's name. A recorded table of words may leave
-//! it out, and is then set as it stands. Numbers stand there as programs write them, and ≠ before a
+//! are the measurements of, where `*` stands for the row's name. A recorded table of words may lack
+//! that row, and is set as it stands. Numbers stand there as programs write them, and ≠ before a
 //! cell says that it is not what it should be.
 
 use crate::digits::typeset;
@@ -221,7 +221,7 @@ impl Table {
 
     /// The first column that a reader sees.
     pub fn first(&self) -> usize {
-        usize::from(self.columns.first().is_some_and(|column| column.heading == ID))
+        usize::from(self.columns.len() > 1 && self.columns[0].heading == ID)
     }
 
     /// The table as it is read: without the ids, and the id of a claim in code; numbers typeset.
