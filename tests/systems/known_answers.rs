@@ -1,6 +1,5 @@
-//! The library's systems beside the right-hand sides of
-//! `book/judge/known-answers/known-answers.json`, which a program that knows nothing of them has
-//! computed.
+//! The library's systems beside the judge's formulas of right-hand sides, which do not share their
+//! code.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -49,8 +48,8 @@ fn double_phase(point: &Point) -> DoublePhase {
     DoublePhase { theta1, theta2, p1, p2 }
 }
 
-/// Asserts that `rates` and `energies` are those of the file. The tolerances are the file's, whose
-/// README derives them.
+/// Asserts that `rates` and `energies` are those of the formulas. The tolerances come with these;
+/// `test_formulas.py` of the package for Python derives them.
 fn assert_known(system: &str, rates: impl Fn(&Point) -> Vec<f64>, energy: impl Fn(&Point) -> f64) {
     let known = known(system);
     assert!(known.points.len() >= 12, "{system}: {} states", known.points.len());
@@ -68,7 +67,7 @@ fn assert_known(system: &str, rates: impl Fn(&Point) -> Vec<f64>, energy: impl F
 /// Catches: a force with l/g, a length that is not squared, or without its mass; a drag that is not
 /// doubled, or divided by the mass; a drive in other units, or at another time.
 #[test]
-fn a_pendulum_is_as_the_file_has_it() {
+fn a_pendulum_is_as_the_formulas_have_it() {
     let energy = |point: &Point| pendulum(point).energy(phase(point));
     let rate = |point: &Point| pendulum(point).rate(0.0, phase(point));
     assert_known("pendulum", |point| vec![rate(point).omega], energy);
@@ -80,7 +79,7 @@ fn a_pendulum_is_as_the_file_has_it() {
 
 /// Catches: a sign or a mass in Hamilton's equations, lengths or masses exchanged.
 #[test]
-fn a_double_pendulum_is_as_the_file_has_it() {
+fn a_double_pendulum_is_as_the_formulas_have_it() {
     let rates = |point: &Point| {
         let DoublePhase { theta1, theta2, p1, p2 } = double(point).rate(0.0, double_phase(point));
         vec![theta1, theta2, p1, p2]
@@ -108,7 +107,7 @@ fn accelerations(point: &Point) -> Vec<f64> {
     vec![(b1 * m22 - m12 * b2) / determinant, (m11 * b2 - m12 * b1) / determinant]
 }
 
-/// The file's tolerance is for formulas in the velocities. By the momenta p = Mω and M again, terms
+/// The tolerance is for formulas in the velocities. By the momenta p = Mω and M again, terms
 /// are rounded twice as often, and the velocities that come back are off by some ε of the sum of
 /// their speeds: four tolerances allow for it. A mistake is 10¹² tolerances off.
 ///

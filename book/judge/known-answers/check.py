@@ -1,7 +1,6 @@
-"""Checks the tables, the answers and the file: python3 check.py [--file | --right-hand-sides]
+"""Checks the tables, the answers and the file: python3 check.py [--file]
 
 --file: only the file: that it has its schema's form, and is what the generator writes now.
---right-hand-sides: all checks of these, in seconds.
 """
 
 import functools
@@ -15,7 +14,6 @@ import time
 import mpmath
 import numpy
 
-import check_right_hand_sides
 import generate
 import second
 import tables
@@ -330,11 +328,7 @@ def check_file():
 
 if __name__ == "__main__":
     start, only = time.time(), sys.argv[1:]
-    if only != ["--right-hand-sides"]:
-        check_file()
-    if only != ["--file"]:
-        rest = json.loads(generate.OUTPUT.read_text())["right_hand_sides"]
-        check_right_hand_sides.Checks(rest, fail).run()
+    check_file()
     if not only:
         methods, mistakes = tables.read()
         check_tables(methods)

@@ -9,7 +9,6 @@ import tomllib
 import mpmath
 import numpy
 
-import right_hand_sides
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
 from steps import Method, Pendulum, combination, taylor
@@ -189,18 +188,14 @@ def document():
             body = line(head)[:-1] + ', "answers": [\n'
             texts.append(body + ",\n".join(line(answer) for answer in found) + "]}")
         out.append(f"{line(kind)}: [\n" + ",\n".join(texts) + "],")
-    # At the end, where whoever needs only the steps can leave it out.
-    out.append('"right_hand_sides": ' + right_hand_sides.document())
-    return "\n".join(out) + "}\n"
+    return "\n".join(out)[:-1] + "}\n"
 
 
 ABOUT = (
     "What one, two or eight steps of a named integrator of the pendulum, "
     "θ'' = -(g/L) sin θ + A cos(Ωt), lead to. Inputs are exact in binary, answers right to 25 "
     "digits; a program agrees if neither θ nor ω is further off than "
-    "tolerance × ε × max(|θ|, |ω|), with the ε of its type. And right_hand_sides: accelerations "
-    "and energies of this pendulum, with drag too, and of the double pendulum, and the usual "
-    "mistakes in them. See book/judge/known-answers/README.md."
+    "tolerance × ε × max(|θ|, |ω|), with the ε of its type. See book/judge/known-answers/README.md."
 )
 
 if __name__ == "__main__":

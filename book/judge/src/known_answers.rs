@@ -1,8 +1,9 @@
 //! What named integrators, and known mistakes in them, lead to in one, two or eight steps; and what
 //! the right-hand sides are that they are given, [`right_hand_side`].
 //!
-//! The numbers are those of `known-answers/known-answers.json`, which a program that knows nothing
-//! of this library has computed to 25 digits; `known-answers/README.md` has the conventions.
+//! The steps are those of `book/judge/known-answers/known-answers.json`, which a program that knows
+//! nothing of this library has computed to 25 digits; `book/judge/known-answers/README.md` has the
+//! conventions. The right-hand sides are formulas.
 //!
 //! ```
 //! use pendula_judge::known_answers;
@@ -19,6 +20,7 @@ use serde_json::Value;
 use super::stranger::Drive;
 use pendula::systems::Phase;
 
+mod formula;
 mod right_hand_sides;
 
 pub use right_hand_sides::{

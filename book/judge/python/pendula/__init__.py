@@ -16,7 +16,7 @@ for the command `pendula verify`.
 
 Without the program, :func:`identify` says which integrator, or which mistake, the numbers after one
 step are of, and :func:`check_right_hand_side` and :func:`check_energy` which usual mistake there is
-in the accelerations and the energy of pendulums. Both read :func:`known_answers`.
+in the accelerations and the energy of pendulums. The former reads :func:`known_answers`.
 """
 
 from .answers import NotJudged

@@ -39,8 +39,8 @@ def _text() -> str:
 
 
 def known_answers() -> dict[str, Any]:
-    """The file of known answers, as its JSON: ``scenes``, ``methods``, ``mistakes``, the wrong
-    ``equations``, and ``right_hand_sides``. Numbers are texts of 25 digits.
+    """The file of known answers, as its JSON: ``scenes``, ``methods``, ``mistakes`` and the
+    wrong ``equations``. Numbers are texts of 25 digits.
 
     >>> file = known_answers()
     >>> rk4 = next(method for method in file["methods"] if method["name"] == "rk4")

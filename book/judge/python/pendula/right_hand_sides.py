@@ -8,7 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Callable, Generic, Literal, NamedTuple, TypeVar, Union, overload
 
-from .known import DOUBLE, MOST, checked, read_once
+from .formulas import evaluate
+from .formulas import system as system_of
+from .known import DOUBLE, MOST, checked
 
 #: A program has a mistake of a right-hand side if it is within so many tolerances of it: they are
 #: measured on right formulas, and wrong ones may round more.
@@ -74,7 +76,7 @@ class DoublePendulumMomenta(NamedTuple):
 
 AnyState = Union[PendulumState, DoublePendulumState, DoublePendulumMomenta]
 S = TypeVar("S", PendulumState, DoublePendulumState, DoublePendulumMomenta, AnyState)
-#: What the file calls parameters by a letter.
+#: What the formulas call by a letter.
 LETTERS = {"length": "l", "mass": "m"}
 STATES: dict[str, type[AnyState]] = {
     "pendulum": PendulumState,
@@ -83,6 +85,7 @@ STATES: dict[str, type[AnyState]] = {
     "double-pendulum": DoublePendulumState,
     "double-pendulum-momenta": DoublePendulumMomenta,
 }
+Mistakes = Literal["mistakes", "energy_mistakes"]
 Single = Literal["pendulum", "damped-pendulum", "driven-pendulum"]
 
 
@@ -90,7 +93,7 @@ Single = Literal["pendulum", "damped-pendulum", "driven-pendulum"]
 class WrongTerm:
     """A usual mistake in a right-hand side or an energy."""
 
-    #: Its name in the file.
+    #: Its name.
     name: str
     #: What is wrong.
     what: str
@@ -102,11 +105,11 @@ class WrongTerm:
 
 @dataclass(frozen=True)
 class Compared(Generic[S]):
-    """A function beside the file."""
+    """A function beside the formulas."""
 
     #: Of what: the name of the system.
     system: str
-    #: Whether it agrees with the file at every state.
+    #: Whether it agrees with them at every state.
     holds: bool
     #: The usual mistakes that it can be: several where the states do not tell which.
     mistakes: tuple[WrongTerm, ...]
@@ -177,8 +180,8 @@ def check_right_hand_side(
     parameters: str | None = None,
     epsilon: float = DOUBLE,
 ) -> Compared[Any]:
-    """Compares the accelerations that ``f`` computes with the file, and says which usual mistake
-    is in them.
+    """Compares the accelerations that ``f`` computes with the right ones, and says which usual
+    mistake is in them.
 
     ``f`` is given a state with the parameters, and returns the angular acceleration (rad/s²); of
     the double pendulum both, the upper first; of ``"double-pendulum-momenta"`` the rates of the
@@ -200,11 +203,10 @@ def check_right_hand_side(
     it is right; 9 mistakes would not show
 
     ``epsilon`` is that of the precision of ``f``, 2**-23 in single precision. ``ValueError`` for a
-    system or parameters that the file does not have, for an ``epsilon`` that is none of
+    system or parameters that are not known, for an ``epsilon`` that is none of
     2**-53 … 0.01, or if ``f`` returns not as many numbers.
     """
-    known = _system(system)
-    names = known["rates"]
+    names = system_of(system).rates
 
     def rates(state: AnyState) -> Found:
         said = f(state)
@@ -247,10 +249,10 @@ def check_energy(
     parameters: str | None = None,
     epsilon: float = DOUBLE,
 ) -> Compared[Any]:
-    """Compares the energy (J) that ``f`` computes with the file. Where it is 0 does not matter:
-    what is compared is the energy less that of the same pendulum at rest, hanging. Both are rounded
-    as they are; so the further away the zero, the more is allowed, and ``ValueError`` says that too
-    few digits are left.
+    """Compares the energy (J) that ``f`` computes with the right one. Where it is 0 does not
+    matter: what is compared is the energy less that of the same pendulum at rest, hanging. Both are
+    rounded as they are; so the further away the zero, the more is allowed, and ``ValueError`` says
+    that too few digits are left.
 
     >>> from math import cos
     >>> def energy(z):
@@ -258,33 +260,25 @@ def check_energy(
     >>> print(check_energy("pendulum", energy))
     pendulum: m l² ω² for ½ m l² ω² (is not conserved)
     """
-    if not _system(system)["energy_mistakes"]:
+    if not system_of(system).energy_mistakes:
         raise ValueError(f"the energy of the {system} is that of the pendulum: ask for that")
 
     def above_rest(state: AnyState) -> Found:
-        rest = state._replace(**{name: 0.0 for name in _system(system)["state"]})
+        rest = state._replace(**{name: 0.0 for name in system_of(system).state})
         energy, at_rest = float(f(state)), float(f(rest))
         return Found((energy - at_rest,), max(abs(energy), abs(at_rest)))
 
     return _compared(system, above_rest, "energy_mistakes", parameters, epsilon)
 
 
-def _system(system: str) -> dict[str, Any]:
-    systems: dict[str, dict[str, Any]] = read_once()["right_hand_sides"]
-    if system not in systems:
-        raise ValueError(f"no {system!r} among {', '.join(systems)}")
-    return systems[system]
-
-
-def _state(system: str, answer: Mapping[str, str]) -> AnyState:
-    """The state of an answer, with its parameters."""
+def _state(system: str, inputs: Mapping[str, float]) -> AnyState:
+    """The state that a function is given, with its parameters."""
     kind = STATES[system]
-    inputs = {**answer, **_system(system)["sets"][answer["set"]]}
     numbers = {}
     for field in kind._fields:
         word, digit = field.rstrip("12"), field[len(field.rstrip("12")) :]
         # A pendulum without drag or drive has none.
-        numbers[field] = float(inputs.get(LETTERS.get(word, word) + digit, 0))
+        numbers[field] = inputs.get(LETTERS.get(word, word) + digit, 0.0)
     return kind(**numbers)
 
 
@@ -297,7 +291,7 @@ class Found(NamedTuple):
 
 
 class _Point(NamedTuple):
-    """An answer of the file, with the numbers that mistakes have there."""
+    """A state with what is right there, and the numbers that mistakes have."""
 
     set: str
     state: AnyState
@@ -327,32 +321,34 @@ class _Point(NamedTuple):
 
 
 @functools.cache
-def _points(system: str, mistakes: str) -> list[_Point]:
-    known = _system(system)
-    names = known["rates"] if mistakes == "mistakes" else ["energy"]
+def _points(system: str, mistakes: Mistakes) -> list[_Point]:
+    known = system_of(system)
     found = []
-    for i, answer in enumerate(known["answers"]):
-        tolerance, least = answer["tolerance"], 0.0
-        if names == ["energy"]:
-            tolerance = answer["energy_tolerance"]
-            least = float(known["sets"][answer["set"]]["depth"])
-        right = [float(answer[name]) for name in names]
-        wrong = [[float(one[name][i]) for name in names] for one in known[mistakes]]
-        state = _state(system, answer)
-        found.append(_Point(answer["set"], state, right, float(tolerance), least, wrong))
+    for point in known.points:
+        inputs = known.inputs(point)
+        if mistakes == "mistakes":
+            right, tolerance, least = known.right(inputs), point["tolerance"], 0.0
+            wrong = [evaluate(one.lines, inputs, known.rates) for one in known.mistakes]
+        else:
+            right, tolerance = known.energy(inputs), point["energy_tolerance"]
+            least = known.depth(inputs)
+            wrong = [known.above_rest(one.lines, inputs) for one in known.energy_mistakes]
+        state = _state(system, inputs)
+        found.append(_Point(point["set"], state, right, float(tolerance), least, wrong))
     return found
 
 
 def _compared(
     system: str,
     f: Callable[[AnyState], Found],
-    mistakes: str,
+    mistakes: Mistakes,
     parameters: str | None,
     epsilon: float,
 ) -> Compared[Any]:
-    known, epsilon = _system(system), checked(epsilon)
-    if parameters is not None and parameters not in known["sets"]:
-        raise ValueError(f"no parameters {parameters!r} among {', '.join(known['sets'])}")
+    known, epsilon = system_of(system), checked(epsilon)
+    if parameters is not None and parameters not in known.sets:
+        raise ValueError(f"no parameters {parameters!r} among {', '.join(known.sets)}")
+    all_wrong = known.mistakes if mistakes == "mistakes" else known.energy_mistakes
     points = [p for p in _points(system, mistakes) if parameters in (None, p.set)]
     found = [f(point.state) for point in points]
     rights = [Found(tuple(p.right), x.of) for p, x in zip(points, found)]
@@ -362,8 +358,8 @@ def _compared(
     def like(numbers: Sequence[Found]) -> list[WrongTerm]:
         """The mistakes that lead to these numbers."""
         return [
-            WrongTerm(wrong["name"], wrong["what"], wrong["effect"], wrong["seen"])
-            for i, wrong in enumerate(known[mistakes])
+            WrongTerm(wrong.name, wrong.what, wrong.effect, wrong.seen)
+            for i, wrong in enumerate(all_wrong)
             if all(p.off(x, p.wrong[i], epsilon) <= OF_A_MISTAKE for p, x in zip(points, numbers))
         ]
 

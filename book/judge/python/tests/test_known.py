@@ -9,10 +9,12 @@ from pathlib import Path
 import pytest
 from listings import listings, run
 from pendula import check_energy, check_right_hand_side, identify, known_answers
+from pendula.formulas import evaluate
+from pendula.formulas import system as system_of
+from pendula.right_hand_sides import STATES
 
 SINGLE = 2.0**-23
 FILE = known_answers()
-SYSTEMS = FILE["right_hand_sides"]
 
 
 def single(x):
@@ -203,25 +205,24 @@ def test_a_mistake_has_its_name():
     assert not check_right_hand_side("pendulum", lambda z: math.nan).holds
 
 
-@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize("system", STATES)
 @pytest.mark.parametrize("precision", [float, single])
 def test_every_mistake_has_its_name(system, precision):
     """Catches: a mistake that is called right, or another."""
-    known = SYSTEMS[system]
+    known = system_of(system)
     epsilon = SINGLE if precision is single else 2.0**-52
 
-    def program(numbers):
-        """In the order of the answers."""
-        left = list(zip(*numbers))
-        return lambda z: [precision(float(x)) for x in left.pop(0)]
+    def program(lines):
+        """What the formula says, in the order of the points."""
+        left = [evaluate(lines, known.inputs(point), known.rates) for point in known.points]
+        return lambda z: map(precision, left.pop(0))
 
-    rights = [[answer[name] for answer in known["answers"]] for name in known["rates"]]
-    assert check_right_hand_side(system, program(rights), epsilon=epsilon).holds
-    for wrong in known["mistakes"]:
-        numbers = [wrong[name] for name in known["rates"]]
-        found = check_right_hand_side(system, program(numbers), epsilon=epsilon)
+    for form in known.forms.values():
+        assert check_right_hand_side(system, program(form), epsilon=epsilon).holds
+    for wrong in known.mistakes:
+        found = check_right_hand_side(system, program(wrong.lines), epsilon=epsilon)
         assert not found.holds
-        assert [term.name for term in found.mistakes] == [wrong["name"]]
+        assert [term.name for term in found.mistakes] == [wrong.name]
 
 
 def test_programs_with_their_own_parameters():
@@ -245,16 +246,23 @@ def test_programs_with_their_own_parameters():
 
 
 def test_the_example():
-    """The one beside the file, which the README of the package names.
+    """The one that the README of the package names: right, with a sign wrong in its denominators,
+    and with what no one has done before.
 
     Catches: an example that does not run, or with which a wrong program passes."""
     root = Path(__file__).resolve().parents[4]
-    folder = root / "book/judge/known-answers/examples"
-    example = runpy.run_path(str(folder / "test_double_pendulum.py"))
-    example["test_accelerations"]()
-    example["accelerations"].__globals__["cos"] = math.sin
-    with pytest.raises(AssertionError, match="double-pendulum: "):
-        example["test_accelerations"]()
+    path = root / "book/judge/known-answers/examples/test_double_pendulum.py"
+    runpy.run_path(str(path))["test_accelerations"]()
+    source = path.read_text(encoding="utf-8")
+    assert "m2 - m2 * cos" in source
+    for wrong, said in (
+        ("m2 + m2 * cos", "double-pendulum: .* in both denominators"),
+        ("m2 - 1.01 * m2 * cos", "by no usual mistake"),
+    ):
+        example = {}
+        exec(source.replace("m2 - m2 * cos", wrong), example)
+        with pytest.raises(AssertionError, match=said):
+            example["test_accelerations"]()
 
 
 def test_the_readme_says_what_is_found(capsys):

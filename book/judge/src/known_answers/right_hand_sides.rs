@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::{FILE, checked, entries, number, text};
+use super::formula::{Names, evaluate};
+use super::{checked, entries, text};
 
 /// The right-hand side of a system's equations, at a dozen states.
 ///
@@ -40,7 +41,7 @@ pub struct RightHandSide {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Point {
-    /// The parameters' name in the file: `usual` has all lengths and masses 1 and g = 9.81.
+    /// The parameters' name: `usual` has all lengths and masses 1 and g = 9.81.
     pub set: String,
     /// State and parameters, by their names (rad, rad/s, s, kg, m, m/s²).
     pub inputs: Vec<(String, f64)>,
@@ -190,7 +191,7 @@ impl RightHandSide {
     }
 }
 
-/// The right-hand sides of the file: of the pendulum, the damped and the driven one, and of the
+/// The right-hand sides: of the pendulum, the damped and the driven one, and of the
 /// double pendulum in its velocities and in its momenta.
 pub fn right_hand_sides() -> &'static [RightHandSide] {
     &ALL
@@ -203,55 +204,121 @@ pub fn right_hand_side(system: &str) -> Option<&'static RightHandSide> {
 }
 
 static ALL: LazyLock<Vec<RightHandSide>> = LazyLock::new(|| {
-    let systems = FILE["right_hand_sides"].as_object().expect("the systems by their names");
-    systems.iter().map(|(name, system)| read(name, system)).collect()
+    let text = include_str!("../../python/pendula/right-hand-sides.json");
+    let file: Value = serde_json::from_str(text).expect("the file is JSON");
+    let systems = file["systems"].as_object().expect("the systems by their names");
+    systems.iter().map(|(name, system)| read(name, system, &file)).collect()
 });
 
-fn read(name: &str, system: &Value) -> RightHandSide {
-    let rates: Vec<String> = entries(&system["rates"]).iter().map(text).collect();
-    let state: Vec<String> = entries(&system["state"]).iter().map(text).collect();
-    let energy = ["energy".to_string()];
+fn read(name: &str, system: &Value, file: &Value) -> RightHandSide {
+    // Its own, or the name of a system that has the same.
+    let energies = match &system["energies"] {
+        Value::String(other) => &file["systems"][other]["energies"],
+        own => own,
+    };
+    let (forms, energies) = (read_forms(&system["forms"]), read_forms(energies));
+    let (state, rates) = (texts(&system["state"]), texts(&system["rates"]));
+    let evaluate_rates = |lines: &[String], point: &Point| evaluate(lines, &point.inputs, &rates);
+    let evaluate_energy =
+        |lines: &[String], point: &Point| vec![above_rest(lines, &point.inputs, &state)];
+    let points: Vec<Point> = entries(&system["points"])
+        .iter()
+        .map(|answer| {
+            let mut point = read_point(answer, &state, system);
+            point.rates = evaluate_rates(&forms[0].1, &point);
+            point.energy = evaluate_energy(&energies[0].1, &point)[0];
+            point
+        })
+        .collect();
+    let wrong = |mistake: &Value, forms, evaluate: &dyn Fn(&[String], &Point) -> Vec<f64>| {
+        let lines = wrong_lines(mistake, forms);
+        Wrong {
+            name: text(&mistake["name"]),
+            what: text(&mistake["what"]),
+            effect: text(&mistake["effect"]),
+            seen: mistake["seen"].as_str().unwrap_or("usual").to_string(),
+            numbers: points.iter().map(|point| evaluate(&lines, point)).collect(),
+        }
+    };
+    // The wrong forces are mistakes in all that has the pendulum's.
+    let has_force = forms.iter().any(|(form, _)| form == "plain");
+    let forces = if has_force { entries(&file["forces"]) } else { &[] };
+    let mistakes = forces.iter().chain(entries(&system["mistakes"]));
+    let energy_mistakes = entries(&system["energy_mistakes"]).iter();
     RightHandSide {
         name: name.to_string(),
         equation: text(&system["equation"]),
-        points: entries(&system["answers"])
-            .iter()
-            .map(|answer| read_point(answer, &state, &rates, &system["sets"]))
+        mistakes: mistakes.map(|one| wrong(one, &forms, &evaluate_rates)).collect(),
+        energy_mistakes: energy_mistakes
+            .map(|one| wrong(one, &energies, &evaluate_energy))
             .collect(),
-        mistakes: read_wrong(&system["mistakes"], &rates),
-        energy_mistakes: read_wrong(&system["energy_mistakes"], &energy),
         rates,
+        points,
     }
 }
 
-fn read_point(answer: &Value, state: &[String], rates: &[String], sets: &Value) -> Point {
-    let set = text(&answer["set"]);
-    let parameters = sets[&set].as_object().expect("the parameters by their names");
-    let of_state = state.iter().map(|name| (name.clone(), number(&answer[name])));
-    let of_set = parameters.iter().map(|(name, value)| (name.clone(), number(value)));
+/// Without what is right there.
+fn read_point(point: &Value, state: &[String], system: &Value) -> Point {
+    let set = text(&point["set"]);
+    let parameters = system["sets"][&set].as_object().expect("the parameters by their names");
+    let of_state = state.iter().cloned().zip(entries(&point["state"]).iter().map(float));
+    let of_set = parameters.iter().map(|(name, value)| (name.clone(), float(value)));
+    let inputs: Names = of_state.chain(of_set).collect();
+    let depth = format!("depth = {}", text(&system["depth"]));
     Point {
-        inputs: of_state.chain(of_set.filter(|(name, _)| name != "depth")).collect(),
-        rates: rates.iter().map(|name| number(&answer[name])).collect(),
-        tolerance: number(&answer["tolerance"]),
-        energy: number(&answer["energy"]),
-        energy_tolerance: number(&answer["energy_tolerance"]),
-        depth: number(&parameters["depth"]),
         set,
+        rates: vec![],
+        tolerance: float(&point["tolerance"]),
+        energy: 0.0,
+        energy_tolerance: float(&point["energy_tolerance"]),
+        depth: evaluate(&[depth], &inputs, &["depth".to_string()])[0],
+        inputs,
     }
 }
 
-fn read_wrong(mistakes: &Value, names: &[String]) -> Vec<Wrong> {
-    let read = |wrong: &Value| {
-        let column = |name: &String| entries(&wrong[name]).iter().map(number).collect();
-        let columns: Vec<Vec<f64>> = names.iter().map(column).collect();
-        let row = |i| columns.iter().map(|column| column[i]).collect();
-        Wrong {
-            name: text(&wrong["name"]),
-            what: text(&wrong["what"]),
-            effect: text(&wrong["effect"]),
-            seen: text(&wrong["seen"]),
-            numbers: (0..columns[0].len()).map(row).collect(),
-        }
+/// The lines of each form, by its name.
+type Forms = Vec<(String, Vec<String>)>;
+
+fn read_forms(forms: &Value) -> Forms {
+    let read = |form: &Value| {
+        let mut lines = texts(form);
+        (lines.remove(0), lines)
     };
-    entries(mistakes).iter().map(read).collect()
+    entries(forms).iter().map(read).collect()
+}
+
+/// A mistake has its own formula, or every place of something in a form is changed: in the plain
+/// one that has the pendulum's force, another force.
+fn wrong_lines(mistake: &Value, forms: &Forms) -> Vec<String> {
+    if mistake["formula"].is_array() {
+        return texts(&mistake["formula"]);
+    }
+    let (form, changes) = match mistake["force"].as_str() {
+        Some(force) => ("plain", vec![format!("-(g/l*sin(theta)) -> -({force})")]),
+        None => (mistake["form"].as_str().expect("a form"), texts(&mistake["change"])),
+    };
+    let (_, lines) = forms.iter().find(|(name, _)| name == form).expect("a form of this name");
+    let changed = changes.iter().fold(lines.join("\n"), |lines, change| {
+        let (old, new) = change.split_once(" -> ").expect("old -> new");
+        assert!(lines.contains(old), "no {old:?} in {lines}");
+        lines.replace(old, new)
+    });
+    changed.lines().map(str::to_string).collect()
+}
+
+/// The energy that a formula says, less what it says where all hang at rest.
+fn above_rest(lines: &[String], inputs: &Names, state: &[String]) -> f64 {
+    let at_rest =
+        |(name, x): &(String, f64)| (name.clone(), if state.contains(name) { 0.0 } else { *x });
+    let rest: Names = inputs.iter().map(at_rest).collect();
+    let [here, there] = [inputs, &rest].map(|at| evaluate(lines, at, &["energy".to_string()])[0]);
+    here - there
+}
+
+fn texts(value: &Value) -> Vec<String> {
+    entries(value).iter().map(text).collect()
+}
+
+fn float(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
 }

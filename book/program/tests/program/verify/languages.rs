@@ -344,36 +344,6 @@ fn a_check_sees_mistakes(#[case] tool: &str, #[case] name: &str) {
     }
 }
 
-/// What a double pendulum has wrong: a sign in its denominators, and what no one has done before.
-const WRONG_DOUBLE: [(&str, &str, &str); 2] = [
-    ("m2 - m2 * cos", "m2 + m2 * cos", "denominator-of-wrong-sign"),
-    ("m2 - m2 * cos", "m2 - 1.01 * m2 * cos", "by no usual mistake"),
-];
-
-/// Catches: a check that does not run, refuses what is right, or has no name for what is wrong.
-#[test]
-fn the_check_of_a_double_pendulum_names_the_mistake() {
-    if !there_is("python3") {
-        return;
-    }
-    let run = |program: &str| {
-        let mut command = Command::new("python3");
-        command
-            .args(["-c", program])
-            .current_dir(root().join("book/judge/known-answers"))
-            .output()
-            .unwrap()
-    };
-    let source = example("double_pendulum.py");
-    assert!(run(&source).status.success());
-    for (from, to, name) in WRONG_DOUBLE {
-        assert!(source.contains(from), "there is no {from}");
-        let output = run(&source.replace(from, to));
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(!output.status.success() && said.contains(name), "{to}: {said}");
-    }
-}
-
 /// Catches: as above.
 #[test]
 fn the_rust_check_sees_mistakes() {
