@@ -80,6 +80,8 @@ pub struct MethodInfo {
     pub symplectic: bool,
     /// Whether a step with −h undoes a step with h.
     pub symmetric: bool,
+    /// Whether a step of any length conserves the energy, to rounding.
+    pub conserves_energy: bool,
     /// Whether a step solves equations by iteration. The number of evaluations then depends on the
     /// number of sweeps, and where the step is too long for the iteration to converge, every
     /// component of the state is NaN.
@@ -113,6 +115,7 @@ impl MethodInfo {
             order,
             symplectic: false,
             symmetric: false,
+            conserves_energy: false,
             implicit: false,
             force_evaluations: order as u64,
             start_evaluations: 0,
@@ -142,6 +145,12 @@ impl MethodInfo {
     #[must_use]
     pub const fn symmetric(self) -> Self {
         Self { symmetric: true, ..self }
+    }
+
+    /// And conserving the energy, in steps of any length.
+    #[must_use]
+    pub const fn conserving_energy(self) -> Self {
+        Self { conserves_energy: true, ..self }
     }
 
     /// And implicit.

@@ -11,7 +11,7 @@ use pendula_judge::properties::linear::{
 use pendula_judge::properties::symmetry::{
     check_mass_and_length, check_mirror, check_time, check_turns,
 };
-use pendula_judge::properties::{AREA, ERROR_CONSTANT, LINEAR, REVERSAL, WORK};
+use pendula_judge::properties::{AREA, ERROR_CONSTANT, LINEAR, REVERSAL, WORK, energy};
 use rstest::rstest;
 
 use crate::common::method;
@@ -67,10 +67,10 @@ fn a_single_step_misses_by_its_taylor_series(
 // Area: the determinant of the Jacobian of one step
 // -------------------------------------------------------------------------------------------------
 
-/// det J by central differences at five states of two pendulums: within 5e-10 of 1 in steps of 0.1
-/// s if the method is symplectic. If not, it is off by a hundred times the error of the
-/// measurement, which grows with h², in steps of 0.1, 0.2 or 0.4 s.
-/// `book/judge/src/properties/area.rs` derives the error of the differences.
+/// As the judge measures it: det J by differences of fourth order, at five states in steps of x =
+/// 0.1, 0.4 and 1, is 1 to ten times the ruler's own error if the method is symplectic, and if not
+/// off by a hundred times that. `book/judge/src/properties/area.rs` derives how right the ruler has
+/// to be.
 ///
 /// Catches: forward Euler posing as symplectic Euler, and every other step that is said to preserve
 /// area and does not.
@@ -113,10 +113,10 @@ fn rk4_shrinks_area_at_the_bottom_as_its_polynomial_says() {
 // Reversal: forward, flip the velocity, forward again
 // -------------------------------------------------------------------------------------------------
 
-/// 100 000 steps of 0.01 s from 1 rad, and as many back, miss the start by at most 1e-13 rad and
-/// 1e-10 ω₀, what a random walk of roundings makes of energy and phase, if the method is symmetric.
-/// Of the others each misses by more than 1e-9, in steps of 0.01 s or, the higher the order, longer
-/// ones. `book/judge/src/properties/reversal.rs` derives these numbers.
+/// As the judge measures it: a thousand short steps out and back, or fewer long ones, miss the
+/// start by rounding if the method is symmetric, and if not by ten times that. Of a symmetric also
+/// 100 000 steps of x = 0.03 and as many back miss it by at most 1e-10 rad, what a random walk of
+/// roundings makes of energy and phase: `book/judge/src/properties/reversal.rs` derives it.
 ///
 /// Catches: symplectic Euler posing as Störmer–Verlet; half a kick lost or doubled on one side;
 /// damping of 1e-12 per step; an entry that wrongly claims or denies symmetry.
@@ -124,6 +124,21 @@ fn symmetric_methods_return_and_no_others_do(method: &dyn AnyMethod) {
     REVERSAL.assert(method);
 }
 each_method!(symmetric_methods_return_and_no_others_do);
+
+// -------------------------------------------------------------------------------------------------
+// Energy: conserved in steps of any length, or not
+// -------------------------------------------------------------------------------------------------
+
+/// From three starts, in 2000 steps of x = 0.05, 0.3 and 1, the energy changes by what a random
+/// walk of roundings makes of it if the entry says that it is conserved, and otherwise by more than
+/// ten times that in some of them.
+///
+/// Catches: a discrete gradient with a wrong mean of the force; an entry that wrongly claims or
+/// denies it.
+fn the_energy_is_conserved_or_not_as_the_entry_says(method: &dyn AnyMethod) {
+    energy::check(method).unwrap();
+}
+each_method!(the_energy_is_conserved_or_not_as_the_entry_says);
 
 // -------------------------------------------------------------------------------------------------
 // The symmetries of the pendulum

@@ -12,7 +12,8 @@ use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Method, Motion, Pendulum, Phase, exact,
     integrate,
 };
-use pendula_judge::properties::{area_defect, energy};
+use pendula_judge::properties::area::{AREA_TOLERANCE, area_defect};
+use pendula_judge::properties::energy;
 use pendula_study::theory::period;
 use rstest::rstest;
 
@@ -63,8 +64,7 @@ fn of_cieslinski_ratkiewicz(theta: f64, end: f64, x2: f64) -> f64 {
     of_the_discrete_gradient(theta, end, 4.0 * (0.5 * x2.sqrt()).tan().powi(2))
 }
 
-/// The ruler is off by δ²/6 times third derivatives of the step, 1e-9 where x is 0.2, as derived
-/// beside `AREA_TOLERANCE`, and 25 times that at x = 1.
+/// The ruler is right to `AREA_TOLERANCE`, which is derived beside it.
 ///
 /// Catches: the midpoint rule, which preserves area, under either name; an iteration that stops
 /// early; the law of one method used for the other.
@@ -77,7 +77,7 @@ fn area_changes_by_the_ratio_of_two_weights<M: AnyMethod>(
     #[case] law: fn(f64, f64, f64) -> f64,
     #[values(0.2, 0.5, 1.0)] x: f64,
 ) {
-    let tolerance = 1e-9 * (x / 0.2).powi(2);
+    let tolerance = AREA_TOLERANCE;
     let mut largest = 0.0_f64;
     for start in STARTS {
         let end = method.run(&pendulum(), start, &grid(x, 1), &mut ());

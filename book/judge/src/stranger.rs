@@ -256,6 +256,22 @@ impl Stranger for Chosen<'_> {
     }
 }
 
+/// A method of the library as a stranger, on a pendulum whose length is not 1 m and whose mass is
+/// not 1 kg: a force with g·L, or with the mass in it, shows.
+#[derive(Clone, Copy)]
+pub(crate) struct Ours<'a>(pub &'a dyn AnyMethod);
+
+impl Stranger for Ours<'_> {
+    fn answer(&self, request: &Request) -> Result<Reply, Fault> {
+        request.check()?;
+        // A power of two, so that g/L is what was asked for, to the last digit.
+        let pendulum = Pendulum::new(2.0 * request.g_over_l, 2.0, 3.0)
+            .map_err(|error| Fault::Refused(error.to_string()))?;
+        let (states, evaluations) = chosen_states(self.0, &pendulum, request)?;
+        Ok(Reply { states, evaluations: Some(evaluations) })
+    }
+}
+
 /// The states that are asked for, and the force evaluations.
 fn chosen_states<S: System<State = Phase> + 'static>(
     method: &dyn AnyMethod<S>,

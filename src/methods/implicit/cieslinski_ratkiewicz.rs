@@ -31,6 +31,7 @@ impl Info for CieslinskiRatkiewicz {
             title: "Cieśliński–Ratkiewicz",
             aliases: &["modified discrete gradient", "MOD-GR"],
             symmetric: true,
+            conserves_energy: true,
             implicit: true,
             reference: "J. L. Cieśliński, B. Ratkiewicz, J. Phys. A 42 (2009) 105204",
             ..MethodInfo::new("cieslinski-ratkiewicz", 2)

@@ -32,6 +32,7 @@ impl Info for DiscreteGradient {
             title: "Discrete gradient",
             aliases: &["average vector field", "energy-conserving"],
             symmetric: true,
+            conserves_energy: true,
             implicit: true,
             reference: "R. I. McLachlan, G. R. W. Quispel, N. Robidoux, Phil. Trans. R. Soc. A 357 \
                         (1999) 1021",

@@ -3,6 +3,7 @@
 use super::probe::{Probe, frequency, step};
 use super::report::{Finding, about, scientific};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::properties;
 use crate::stranger::Request;
 use pendula::systems::Phase;
 
@@ -30,22 +31,14 @@ pub struct Defect {
     pub x: f64,
 }
 
-/// det J of a run, in θ and ω/ω₀, by differences of fourth order and the half width `delta`.
+/// det J of a run, in θ and ω/ω₀, by differences of the half width `delta`.
 fn determinant(probe: &Probe<'_>, run: Request, delta: f64) -> Measured<f64> {
-    let image = |right: f64, up: f64| -> Measured<[f64; 2]> {
+    properties::area::determinant(delta, |right: f64, up: f64| {
         let Phase { theta, omega } = run.start;
         let start = Phase { theta: theta + right * delta, omega: omega + up * delta * frequency() };
         let end = probe.end(Request { start, ..run })?;
         Ok([end.theta, end.omega / frequency()])
-    };
-    let along = |right: f64, up: f64| -> Measured<[f64; 2]> {
-        let [a, b] = [image(right, up)?, image(-right, -up)?];
-        let [c, d] = [image(2.0 * right, 2.0 * up)?, image(-2.0 * right, -2.0 * up)?];
-        let slope = |i: usize| (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * delta);
-        Ok([slope(0), slope(1)])
-    };
-    let [[j11, j21], [j12, j22]] = [along(1.0, 0.0)?, along(0.0, 1.0)?];
-    Ok(j11 * j22 - j12 * j21)
+    })
 }
 
 /// det J − 1 of a run, with differences of half width `delta` whose ends are rounded by `rounding`.

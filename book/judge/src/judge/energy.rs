@@ -26,18 +26,29 @@ const RUNS: [(f64, u64); 3] = [(0.1, 60_000), (0.3, 20_000), (0.8, 10_000)];
 
 const START: Phase = Phase { theta: 1.0, omega: 0.0 };
 
-fn run(probe: &Probe<'_>, x: f64, steps: u64) -> Measured<Energy> {
+impl Energy {
+    /// The largest |ΔH|/(mgL) of all samples.
+    pub fn largest(&self) -> f64 {
+        largest(&self.samples)
+    }
+}
+
+fn largest(part: &[(f64, f64)]) -> f64 {
+    part.iter().map(|sample| sample.1.abs()).fold(0.0, libm::fmaximum)
+}
+
+/// What becomes of it in a run from `start`.
+pub fn run(probe: &Probe<'_>, start: Phase, x: f64, steps: u64) -> Measured<Energy> {
     // A swing is no multiple of four steps at any x above, so that all of its moments are met.
     let every = 4;
     let steps = probe.in_time(steps)?;
     let h = step(x);
-    let states = probe.states(Request::run(START, h, steps).every(every))?;
+    let states = probe.states(Request::run(start, h, steps).every(every))?;
     let samples: Vec<(f64, f64)> = (1..)
         .zip(states)
-        .map(|(k, z)| ((k * every) as f64 * h, energy(z) - energy(START)))
+        .map(|(k, z)| ((k * every) as f64 * h, energy(z) - energy(start)))
         .collect();
     let tenth = samples.len() / 10;
-    let largest = |part: &[(f64, f64)]| part.iter().map(|s| s.1.abs()).fold(0.0, libm::fmaximum);
     let ends = [largest(&samples[..tenth]), largest(&samples[samples.len() - tenth..])];
     // A random walk of the energy; the factor is that of the largest of some thousand samples.
     let bound = 10.0 * probe.rounding * libm::sqrt(steps as f64);
@@ -54,7 +65,7 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Energy> {
         if x > 0.3 && worst.as_ref().is_some_and(seen) {
             break;
         }
-        match run(probe, x, steps) {
+        match run(probe, START, x, steps) {
             Ok(found) => {
                 let growth = |e: &Energy| (seen(e), e.ends[1] / e.ends[0]);
                 if worst.as_ref().is_none_or(|known| growth(&found) > growth(known)) {

@@ -1,23 +1,23 @@
 //! The judge, property by property, from the order to what to look at.
 
 mod answers;
-mod area;
+pub(crate) mod area;
 mod claims;
-mod energy;
+pub(crate) mod energy;
 mod equation;
 mod expansion;
 mod identity;
 mod look;
 mod loss;
-mod order;
+pub(crate) mod order;
 pub(crate) mod probe;
 mod replies;
 pub(crate) mod report;
 mod resemblance;
-mod reversal;
+pub(crate) mod reversal;
 mod series;
 mod stage_times;
-mod symmetry;
+pub(crate) mod symmetry;
 #[cfg(test)]
 mod thresholds;
 pub(crate) mod verdict;

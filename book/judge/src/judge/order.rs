@@ -8,7 +8,7 @@ use pendula::systems::Phase;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at
 /// which symmetry would hide errors.
-const DURATION: f64 = 2.7;
+pub const DURATION: f64 = 2.7;
 
 /// Beyond this order a claim makes the ladder no finer: its rungs would lie closer than the whole
 /// numbers of steps that they stand for, and nobody claims more than 24 of a method that is known
@@ -16,7 +16,7 @@ const DURATION: f64 = 2.7;
 const STEEPEST: u32 = 32;
 
 /// The runs of a rung. The leading term may vanish at one start and not at both.
-const STARTS: [Phase; 2] = [Phase::at_rest(1.0), Phase { theta: -0.6, omega: 4.0 }];
+pub const STARTS: [Phase; 2] = [Phase::at_rest(1.0), Phase { theta: -0.6, omega: 4.0 }];
 
 /// Steps, errors and what they show.
 #[derive(Clone, Debug)]
@@ -29,12 +29,12 @@ pub struct Ladder {
     pub leading: usize,
 }
 
-/// The largest error of a run of so many steps.
-fn error(probe: &Probe<'_>, steps: u64) -> Measured<f64> {
+/// The largest error in runs of so many steps from `starts` (rad), as far as each `every`-th state
+/// shows it.
+pub fn error(probe: &Probe<'_>, starts: &[Phase], steps: u64, every: u64) -> Measured<f64> {
     let mut largest = 0.0_f64;
-    for start in STARTS {
+    for &start in starts {
         let h = DURATION / steps as f64;
-        let every = 1.max(steps / 64);
         let steps = steps - steps % every;
         let truth = exact(G_OVER_L, start);
         let states = probe.states(Request::run(start, h, steps).every(every))?;
@@ -67,7 +67,7 @@ pub fn ladder(probe: &Probe<'_>, expected: u32) -> Measured<Ladder> {
             continue;
         }
         before = n;
-        match error(probe, n) {
+        match error(probe, &STARTS, n, 1.max(n / 64)) {
             Ok(error) => rungs.push((DURATION / n as f64, error)),
             // Too long a step for an implicit method, or for a method that runs away.
             Err(trouble @ (Trouble::NoAnswer(_) | Trouble::NotFinite)) if rungs.is_empty() => {

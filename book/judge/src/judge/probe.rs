@@ -51,7 +51,7 @@ impl fmt::Debug for Probe<'_> {
 impl Request {
     /// `steps` steps of `step` (s) from `start`, of the undamped pendulum with the g/L of most
     /// requests, each state asked for.
-    pub(super) const fn run(start: Phase, step: f64, steps: u64) -> Self {
+    pub(crate) const fn run(start: Phase, step: f64, steps: u64) -> Self {
         Self::new(G_OVER_L, start, step, steps)
     }
 
@@ -77,6 +77,12 @@ impl<'s> Probe<'s> {
         // What is more than the states themselves is no rounding.
         probe.rounding = probe.measured_rounding.clone().map_or(f64::EPSILON, |x| x.min(1.0));
         Ok(probe)
+    }
+
+    /// Of a method that is known to compute in double precision: what it rounds by more is a
+    /// mistake, for which no measurement allows.
+    pub fn of_doubles(self) -> Self {
+        Self { rounding: self.rounding.min(4.0 * f64::EPSILON), ..self }
     }
 
     /// With what a tolerance inside the stranger makes of 200 steps (rad).

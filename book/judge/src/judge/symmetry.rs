@@ -10,9 +10,10 @@ use crate::stranger::Request;
 use pendula::systems::Phase;
 
 /// To and fro, and over the top.
-const STARTS: [Phase; 2] = [Phase { theta: 1.2, omega: 0.7 }, Phase { theta: -0.4, omega: 8.0 }];
-const X: f64 = 0.1;
-const STEPS: u64 = 200;
+pub const STARTS: [Phase; 2] =
+    [Phase { theta: 1.2, omega: 0.7 }, Phase { theta: -0.4, omega: 8.0 }];
+pub const X: f64 = 0.1;
+pub const STEPS: u64 = 200;
 
 /// By how much two runs differ that should not (rad), and what rounding may make of it.
 #[derive(Clone, Copy, Debug)]
@@ -102,10 +103,15 @@ pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
 /// g/L and h scaled together: the same angles.
 pub fn units(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
+    in_units(probe, &[4.0, 0.25, 3.0])
+}
+
+/// The same in these units, of a second.
+pub fn in_units(probe: &Probe<'_>, units: &[f64]) -> Measured<Apart> {
     let mut worst = Apart { largest: 0.0, bound: 20.0 * probe.rounding_bound(STEPS, X) };
     for start in STARTS {
         let slow = probe.states(Request::run(start, step(X), STEPS))?;
-        for unit in [4.0, 0.25, 3.0] {
+        for &unit in units {
             let hurried = Phase { omega: start.omega * unit, ..start };
             let run = Request::run(hurried, step(X) / unit, STEPS).with(G_OVER_L * unit * unit);
             let fast = probe.states(run)?;

@@ -1,11 +1,14 @@
-//! Order: the slope of the error against the step, between neighbouring rungs of a ladder of steps.
+//! Order: the slope of the error against the step, between neighbouring rungs of a ladder.
+//!
+//! The errors are those that the judge measures. It goes down a stranger's ladder to rounding: it
+//! knows nothing of the error before, and asks whether the slopes tend to the order. Here a rung is
+//! chosen by the order of the entry, and more is asked: each slope is the order.
 
-use super::{CheckResult, near};
+use super::{CheckResult, measured, near};
+use crate::judge::order::{DURATION, STARTS, error};
+use crate::judge::probe::frequency;
 use pendula::AnyMethod;
-use pendula::exact::Motion;
-use pendula::integrate::Grid;
 use pendula::metrics::order::slopes;
-use pendula::systems::{Pendulum, Phase};
 
 /// Whether every slope on the ladder is the order of the entry.
 pub fn check(method: &dyn AnyMethod) -> CheckResult {
@@ -28,10 +31,6 @@ pub fn check(method: &dyn AnyMethod) -> CheckResult {
         near(what, slope, f64::from(order), window)
     })
 }
-
-/// The duration (s) of the run on which order is measured, from 1 rad: not a whole number of
-/// periods, where symmetry would hide errors.
-pub const DURATION: f64 = 2.7;
 
 /// Errors of the state on a ladder of steps.
 #[derive(Clone, Copy, Debug)]
@@ -69,10 +68,12 @@ impl Ladder {
         let (shortest, powers, smallest) =
             if entry.order > 8 { (4.0, 16.0, 1e-6) } else { (8.0, 4.0, 1e-8) };
         let asymptotic = libm::pow(0.03, order).max(smallest);
+        // From rest, over the whole run. NaN, of which no slope is anything, where there is none.
+        let error =
+            |n: u64| measured(method, |probe| error(probe, &STARTS[..1], n, 1)).unwrap_or(f64::NAN);
         let factor = libm::exp2((powers / order).min(1.0));
         let firsts = (0..).map(|k| rung(shortest, factor, k));
-        let first =
-            firsts.take_while(|n| *n < 65_536).find(|n| largest_error(method, *n) < asymptotic);
+        let first = firsts.take_while(|n| *n < 65_536).find(|n| error(*n) < asymptotic);
         // Errors that never are so small do not fall at the order: any rungs show that.
         let rungs = [0, 1, 2, 3, 4].map(|k| rung(first.unwrap_or(4096) as f64, factor, k));
         let steps = rungs.map(|n| DURATION / n as f64);
@@ -82,14 +83,10 @@ impl Ladder {
             } else if entry.symmetric || entry.order <= 4 {
                 0.05
             } else {
-                0.05 + 1.5 * pendulum().small_angle_frequency() * steps[k]
+                0.05 + 1.5 * frequency() * steps[k]
             }
         };
-        Self {
-            steps,
-            errors: rungs.map(|n| largest_error(method, n)),
-            windows: [0, 1, 2, 3].map(window),
-        }
+        Self { steps, errors: rungs.map(error), windows: [0, 1, 2, 3].map(window) }
     }
 
     /// The slope of each pair of neighbours above the rounding floor.
@@ -115,30 +112,7 @@ impl Ladder {
     }
 }
 
-/// The pendulum on which order is measured. It is not the paper's: with L ≠ 1 a force with g·L, and
-/// with m ≠ 1 one that contains the mass, does not converge to the exact solution.
-fn pendulum() -> Pendulum {
-    Pendulum::new(9.81, 0.8, 1.7).expect("parameters in range")
-}
-
 /// The number of steps on the `k`-th rung above `first`.
 fn rung(first: f64, factor: f64, k: u32) -> u64 {
     libm::round(first * libm::pow(factor, f64::from(k))) as u64
-}
-
-/// Largest error of the state, max(|Δθ|, |Δω|/ω₀) (rad), over a run of `steps` steps; NaN if a
-/// state is NaN.
-fn largest_error(method: &dyn AnyMethod, steps: u64) -> f64 {
-    let pendulum = pendulum();
-    let start = Phase::at_rest(1.0);
-    let motion = Motion::new(&pendulum, start).expect("a finite start");
-    let grid = Grid::new(DURATION / steps as f64, steps).expect("a positive step");
-    let mut largest = 0.0_f64;
-    method.run(&pendulum, start, &grid, &mut |_, t: f64, z: Phase| {
-        let truth = motion.at(t);
-        let angle = (z.theta - truth.theta).abs();
-        let velocity = (z.omega - truth.omega).abs() / pendulum.small_angle_frequency();
-        largest = [angle, velocity].into_iter().fold(largest, libm::fmaximum);
-    });
-    largest
 }

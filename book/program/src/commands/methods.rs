@@ -4,7 +4,6 @@ use std::io::{self, Write};
 
 use clap::Args;
 use pendula::{AnyMethod, METHODS, MethodInfo};
-use pendula_judge::properties::energy::is_conserved_by;
 use serde_json::{Value, json};
 
 use super::output::{TableFormat, csv};
@@ -74,7 +73,7 @@ fn row(method: &'static dyn AnyMethod) -> [String; 6] {
 fn kept(info: &MethodInfo) -> Vec<&'static str> {
     let all = [
         (info.symplectic, "symplectic"),
-        (is_conserved_by(info), "energy"),
+        (info.conserves_energy, "energy"),
         (info.symmetric, "reversible"),
     ];
     all.into_iter().filter_map(|(kept, word)| kept.then_some(word)).collect()
@@ -89,7 +88,7 @@ fn object(method: &'static dyn AnyMethod) -> Value {
         "aliases": info.aliases,
         "order": info.order,
         "symplectic": info.symplectic,
-        "energy": is_conserved_by(&info),
+        "energy": info.conserves_energy,
         "reversible": info.symmetric,
         "implicit": info.implicit,
         "evaluations": info.force_evaluations,

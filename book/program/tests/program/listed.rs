@@ -54,7 +54,7 @@ fn every_method_is_listed_with_its_facts() {
             ("order", info.order.into()),
             ("symplectic", info.symplectic.into()),
             ("reversible", info.symmetric.into()),
-            ("energy", pendula_judge::properties::energy::is_conserved_by(&info).into()),
+            ("energy", info.conserves_energy.into()),
             ("evaluations", info.force_evaluations.into()),
             ("start_evaluations", info.start_evaluations.into()),
             ("reference", info.reference.into()),

@@ -1,8 +1,10 @@
 //! Questions of "Why the energy stays bounded".
 
+use core::convert::Infallible;
+
 use pendula::arithmetic::sine::sin;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, method_named};
-use pendula_judge::properties::area::AREA_TOLERANCE;
+use pendula_judge::properties::area::{AREA_TOLERANCE, determinant};
 
 use super::{Compute, Truth};
 
@@ -10,16 +12,14 @@ use super::{Compute, Truth};
 pub const QUESTIONS: &[(&str, Compute)] =
     &[("phase-space-wind", wind), ("phase-space-way-home", way_home)];
 
-/// det J − 1 of a step on `z`, by central differences.
+/// det J − 1 of a step on `z`.
 pub(super) fn area_defect(step: impl Fn(Phase) -> Phase, z: Phase) -> f64 {
-    const DELTA: f64 = 1e-4;
-    let slopes = |to: Phase| {
-        let (plus, minus) = (step(z + to), step(z + to * -1.0));
-        (0.5 * (plus.theta - minus.theta) / DELTA, 0.5 * (plus.omega - minus.omega) / DELTA)
-    };
-    let (j11, j21) = slopes(Phase { theta: DELTA, omega: 0.0 });
-    let (j12, j22) = slopes(Phase { theta: 0.0, omega: DELTA });
-    j11 * j22 - j12 * j21 - 1.0
+    const DELTA: f64 = 1e-3;
+    let Ok(determinant) = determinant(DELTA, |right, up| {
+        let end = step(z + Phase { theta: right * DELTA, omega: up * DELTA });
+        Ok::<_, Infallible>([end.theta, end.omega])
+    });
+    determinant - 1.0
 }
 
 /// Symplectic Euler with a push upward after each kick that is larger than the largest kick, in
