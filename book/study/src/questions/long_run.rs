@@ -1,7 +1,7 @@
 //! Questions of "A thousand seconds".
 
-use pendula::methods::{Rk4, StormerVerlet};
-use pendula::{Hamiltonian, Pendulum, Phase};
+use pendula::methods::{ForwardEuler, Projected, Rk4, StormerVerlet};
+use pendula::{Grid, Hamiltonian, Method, Motion, Pendulum, Phase, integrate};
 
 use super::{Compute, Truth};
 use crate::experiments::PaperMethod;
@@ -9,8 +9,11 @@ use crate::experiments::findings::{energy_drift, last_energy};
 use crate::experiments::long_run::{DURATION, STEP, THETA_0};
 
 /// The chapter's questions.
-pub const QUESTIONS: &[(&str, Compute)] =
-    &[("long-run-smallest", smallest), ("long-run-equal-work", equal_work)];
+pub const QUESTIONS: &[(&str, Compute)] = &[
+    ("long-run-smallest", smallest),
+    ("long-run-equal-work", equal_work),
+    ("long-run-projected", projected),
+];
 
 /// The steps of `step` (s) in the thousand seconds.
 fn steps(step: f64) -> u64 {
@@ -34,4 +37,23 @@ fn equal_work() -> Truth {
     let lost = first - last_energy(&Rk4, THETA_0, 4.0 * STEP, steps(4.0 * STEP));
     let seconds = verlet / (lost / DURATION);
     Truth::nearest(seconds / 60.0, &[("minutes", 4.0), ("hour", 60.0), ("day", 1000.0)])
+}
+
+/// How many times as far off as Störmer–Verlet's the angle of forward Euler is after ten seconds,
+/// if each step is projected onto the energy of the start.
+fn projected() -> Truth {
+    let ratio = angle_error(&Projected(ForwardEuler)) / angle_error(&StormerVerlet);
+    Truth::nearest(ratio, &[("better", 0.1), ("same", 1.0), ("worse", 10.0)])
+}
+
+/// The largest error of the angle (rad) in the first ten seconds.
+fn angle_error(method: &impl Method<Pendulum>) -> f64 {
+    let start = Phase::at_rest(THETA_0);
+    let motion = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
+    let grid = Grid::with_duration(STEP, 10.0).expect("a whole number of steps");
+    let mut largest = 0.0_f64;
+    integrate(&Pendulum::PAPER, method, start, &grid, &mut |_, t: f64, z: Phase| {
+        largest = largest.max((z.theta - motion.at(t).theta).abs());
+    });
+    largest
 }
