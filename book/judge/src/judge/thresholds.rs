@@ -155,7 +155,12 @@ fn of_the_order() {
         move |last: f64| order(&ladder(&[&before[..], &[last]].concat()), claimed).0
     };
     // Towards the order from above and from below.
-    changes(2.2, [Holds, Unclear], last(&[2.8, 2.5], 2));
+    changes(2.2, [Holds, Unclear], last(&[2.1, 2.15], 2));
+    // Further above, slopes that come down tend to within 0.2 of it, by quarters of what is left
+    // (4 · 2.5 − 3.4)/3 = 2.2, or by halves, 2 · 2.6 − 3.4 = 1.8 and 2 · 2.8 − 3.4 = 2.2.
+    changes(2.5, [Holds, Unclear], last(&[4.3, 3.4], 2));
+    changes(2.6, [Unclear, Holds], last(&[4.3, 3.4], 2));
+    changes(2.8, [Holds, Unclear], last(&[4.3, 3.4], 2));
     changes(1.8, [Unclear, Holds], last(&[1.2, 1.5], 2));
     // Once within 0.05 of it, it may not fall by more than 0.2.
     changes(3.8, [Fails, Holds], last(&[4.0, 3.96], 4));
