@@ -390,17 +390,23 @@ fn able(cell: &choosing::Cell) -> impl Iterator<Item = &choosing::Advice> {
 /// Catches: rows exchanged for columns, a cell in the colour of a method that will not do, or not
 /// of the one that will do in most; a name more than needed; the steps of another method; the
 /// second best told of where the best is another; a cell that is missing or drawn twice; two names
-/// that look alike.
-#[test]
-fn the_decision_map_shows_in_each_cell_what_will_do() {
-    let figure = drawn("decision");
+/// that look alike; an extrapolated cell that does not say so, or a measured one that does; the map
+/// of another swing.
+#[rstest]
+#[case::small("decision_small", 0.3)]
+#[case::of_the_chapter("decision", 1.0)]
+#[case::large("decision_large", 2.0)]
+#[case::nearly_upright("decision_near_top", 3.0)]
+fn the_decision_map_shows_in_each_cell_what_will_do(#[case] name: &str, #[case] theta_0: f64) {
+    let computed = choosing::map(theta_0);
+    let figure = drawn(name);
     let map = figure.panels[0].map.as_ref().expect("a map");
     let rows = map.y.len() - 1;
-    assert_eq!(map.cells.len(), MAP.len());
+    assert_eq!(map.cells.len(), computed.len());
     let count = |name: &str| map.cells.iter().filter(|it| map.names[it.name].title == name).count();
     let shown: BTreeMap<&str, usize> =
         map.names.iter().map(|name| (name.title.as_str(), count(&name.title))).collect();
-    for (i, (cell, drawn)) in MAP.iter().zip(&map.cells).enumerate() {
+    for (i, (cell, drawn)) in computed.iter().zip(&map.cells).enumerate() {
         let (column, row) = (i / rows, i % rows);
         assert!((map.x[column]..map.x[column + 1]).contains(&(cell.periods as f64)), "{cell:?}");
         assert!((map.y[row + 1]..map.y[row]).contains(&cell.allowed), "{cell:?}");
@@ -414,8 +420,16 @@ fn the_decision_map_shows_in_each_cell_what_will_do() {
         let named = able(cell).filter(|advice| shown.contains_key(title(advice.method)));
         let taken = named.max_by_key(|advice| shown[title(advice.method)]).expect("one will do");
         let (steps, evaluations) = (taken.steps, taken.evaluations);
-        assert_eq!((name.as_str(), drawn.number), (title(taken.method), Some(steps)), "{cell:?}");
-        assert_eq!(*first, format!("{name}, {steps} steps a period, {evaluations} evaluations"));
+        assert_eq!(
+            (name.as_str(), drawn.number),
+            (title(taken.method), Some(steps.round() as u64)),
+            "{cell:?}"
+        );
+        let how = if taken.extrapolated { " by the law" } else { "" };
+        assert_eq!(
+            *first,
+            format!("{name}, {steps} steps a period, {evaluations} evaluations{how}")
+        );
         let others = || cell.ranking.iter().filter(|advice| title(advice.method) != name);
         if let Some(other) = others().min_by_key(|advice| advice.evaluations) {
             let hundredths = (other.evaluations as f64 / evaluations as f64 - 1.0) * 100.0;
@@ -427,7 +441,7 @@ fn the_decision_map_shows_in_each_cell_what_will_do() {
     }
     let will_do = |method: &Method| {
         let does = |it: &choosing::Advice| title(it.method) == title(*method);
-        MAP.iter().filter(|cell| able(cell).any(does)).count()
+        computed.iter().filter(|cell| able(cell).any(does)).count()
     };
     let most = METHODS.iter().map(will_do).max();
     assert_eq!(shown.values().copied().max(), most, "{shown:?}");

@@ -13,6 +13,7 @@ mod exercises;
 mod figures;
 mod geometry;
 mod ledger;
+mod long_runs;
 mod named_files;
 mod predictions;
 mod published;

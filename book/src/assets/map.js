@@ -1,10 +1,9 @@
-// The map of choosing by keyboard: one stop of Tab, from which the arrow keys lead from cell to
-// cell. The cell with the focus says what one under a mouse says: book/theme/pendula.css.
-(() => {
-    'use strict';
+// The maps of choosing by keyboard: each is one stop of Tab, from which the arrow keys lead from
+// cell to cell. The cell with the focus says what one under a mouse says: book/theme/pendula.css.
+'use strict';
 
-    const map = document.getElementById('fig-decision'),
-        cells = [...map.querySelectorAll(':scope > .cell')];
+for (const map of document.querySelectorAll('[id^="fig-decision"]')) {
+    const cells = [...map.querySelectorAll(':scope > .cell')];
     // They stand column by column, and their paths begin with the column's place.
     const column = cell => cell.firstElementChild.getAttribute('d').split(',')[0],
         rows = cells.findIndex(cell => column(cell) !== column(cells[0]));
@@ -35,4 +34,4 @@
         const next = cells[cells.indexOf(stop) + way];
         if (next && (Math.abs(way) > 1 || column(next) === column(stop))) next.focus();
     });
-})();
+}

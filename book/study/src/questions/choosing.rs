@@ -3,7 +3,7 @@
 use pendula::{Grid, Pendulum, method_named};
 
 use super::{Compute, Truth, Within};
-use crate::experiments::choosing::{COARSE, Release};
+use crate::experiments::choosing::{Release, THETA_0, profile_of};
 
 /// The chapter's questions.
 pub const QUESTIONS: &[(&str, Compute)] = &[("choosing-day", day), ("choosing-longer", longer)];
@@ -15,8 +15,6 @@ struct Law {
     error: f64,
     growth: f64,
     order: f64,
-    /// Force evaluations a step.
-    evaluations: f64,
 }
 
 impl Law {
@@ -24,7 +22,7 @@ impl Law {
     fn measure(name: &str, steps: u64) -> Self {
         const PERIODS: u64 = 128;
         let method = method_named(name).expect("a method of the library");
-        let Release { start, period, .. } = Release::new();
+        let Release { start, period, .. } = Release::new(THETA_0);
         let error = |steps: u64, periods: u64| {
             let grid = Grid::new(period / steps as f64, periods * steps).expect("a positive step");
             (method.end(&Pendulum::PAPER, start, &grid).theta - start.theta).abs()
@@ -37,27 +35,28 @@ impl Law {
             error: whole,
             growth: libm::log2(whole / half),
             order: libm::log2(whole / fine),
-            evaluations: method.info().force_evaluations as f64,
         }
     }
 
-    /// The evaluations of so many periods whose angle is off by at most `allowed` (rad). In steps
-    /// longer than [`COARSE`] the law does not hold.
+    /// The steps of so many periods whose angle is off by at most `allowed` (rad).
     fn work(&self, periods: f64, allowed: f64) -> f64 {
         let error = self.error * libm::pow(periods / self.periods, self.growth);
-        let steps = self.steps * libm::pow(error / allowed, 1.0 / self.order);
-        self.evaluations * periods * steps.max(COARSE as f64)
+        periods * self.steps * libm::pow(error / allowed, 1.0 / self.order)
     }
 }
 
 /// The work of the chapter's second case.
 fn day() -> Truth {
-    let work = |name, steps| Law::measure(name, steps).work(40_000.0, 1e-2);
+    let work = |name| {
+        let method = method_named(name).expect("a method of the library");
+        let advice = profile_of(method, THETA_0).over(40_000).advice(1e-2);
+        advice.expect("it can").evaluations as f64
+    };
     Truth::ascending(vec![
-        ("order-6", work("blanes-moan-6", 32)),
-        ("jump", work("forest-ruth", 64)),
-        ("rk4", work("rk4", 64)),
-        ("verlet", work("stormer-verlet", 256)),
+        ("order-6", work("blanes-moan-6")),
+        ("jump", work("forest-ruth")),
+        ("rk4", work("rk4")),
+        ("verlet", work("stormer-verlet")),
     ])
 }
 

@@ -1,24 +1,61 @@
 //! The law of a method's angle error, measured on a ladder of steps.
 
-use std::sync::{LazyLock, OnceLock};
+use core::num::NonZeroU64;
+use std::sync::OnceLock;
 
 use pendula::exact::Motion;
 use pendula::{METHODS, Pendulum, Phase};
 
-use super::{COARSE, Curve, MethodRef, Release};
+use super::{Curve, MethodRef, Release, SWINGS, THETA_0};
 
 /// The longest run that is measured (periods); it is shorter where the step is small or the error
-/// large.
+/// large, and a quarter of it in other swings than that of [`THETA_0`] and of implicit methods.
 pub const LONGEST: u64 = 256;
 
-/// The most steps in a run that is measured.
-const STEPS: u64 = 1 << 17;
+/// After so many periods coarse steps have the phases of the first ones again: after a *turn*.
+const TURNS: u64 = 8;
 
-/// Steps a period on the ladder: two rungs to an octave, from 4 to 16 384.
-const RUNGS: core::ops::RangeInclusive<u32> = 0..=24;
+/// How far a method is measured.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    /// The longest run (periods).
+    longest: u64,
+    /// The most steps in a run of more than three turns.
+    steps: u64,
+    /// The most steps a period.
+    finest: f64,
+}
 
-/// Extrapolated rungs, finer than the last that was measured: thirty octaves.
-const EXTRAPOLATED: u32 = 60;
+impl Extent {
+    const FULL: Self = Self { longest: LONGEST, steps: 1 << 17, finest: 16_384.0 };
+
+    /// For the other maps, and for implicit methods, of which a step costs most and which win
+    /// nothing: a tenth of the work.
+    const PART: Self = Self { longest: LONGEST / 4, steps: 1 << 14, finest: 2048.0 };
+
+    fn of(method: MethodRef, release: &Release) -> Self {
+        let full = release.theta_0 == THETA_0 && !method.info().implicit;
+        if full { Self::FULL } else { Self::PART }
+    }
+}
+
+/// Steps a period on the ladder of a swing. The coarse ones are odd eighths, 24 to an octave where
+/// that is more than the quarter that lies between two of them; then there are two to an octave.
+fn ladder(release: &Release) -> impl Iterator<Item = f64> {
+    const LEAST: f64 = 1.125;
+    let coarse = release.coarse;
+    let next = |steps: &f64| {
+        let next = libm::floor(4.0 * steps * libm::exp2(1.0 / 24.0)) / 4.0 + 0.125;
+        Some(next.max(steps + 0.25))
+    };
+    let coarser = core::iter::successors(Some(LEAST), next).take_while(move |it| *it < coarse);
+    let finer = (0..).map(move |i: u32| libm::round(coarse * libm::exp2(0.5 * f64::from(i))));
+    coarser.chain(finer)
+}
+
+/// Extrapolated rungs, finer than the last that was measured: thirty octaves where steps are not
+/// coarse.
+const EXTRAPOLATED: usize = 60;
 
 /// At least this many phases of a period are kept, or all if there are fewer. On average the one
 /// nearest to the maximum misses it by a quarter of their spacing, π/256; an error of three humps,
@@ -28,6 +65,10 @@ const PHASES: usize = 128;
 /// An error (rad) beyond which the coefficients are taken from a shorter run, since the law is one
 /// of small errors.
 const LARGE: f64 = 0.03;
+
+/// An error (rad) at which a run ends, after three turns at least: more is never allowed, and the
+/// coefficients are taken from the run before it.
+const ENOUGH: f64 = 10.0 * LARGE;
 
 /// A measured error counts if it is more than this many times what rounding may add to it.
 const CLEAR: f64 = 10.0;
@@ -47,93 +88,124 @@ pub struct Profile {
 #[derive(Clone, Debug)]
 pub struct Rung {
     /// Steps a period.
-    pub steps: u64,
+    pub steps: f64,
     /// The number of periods from which it was measured.
     pub periods: u64,
-    /// e₀, e₁, e₂ (rad) at each phase.
+    /// e₀, e₁, e₂ (rad) at each phase, with n counted from the first period.
     pub growth: Vec<[f64; 3]>,
     /// Where the steps are coarse: the largest error measured (rad) in the first period, the first
     /// two, ….
     pub seen: Vec<f64>,
 }
 
-/// The law of every method of the library, each measured when it is first asked for.
-pub fn profiles() -> impl Iterator<Item = &'static Profile> {
-    (0..METHODS.len()).map(profile)
+/// The law of every method of the library on a swing, each measured when it is first asked for.
+pub fn profiles(theta_0: f64) -> impl Iterator<Item = &'static Profile> {
+    (0..METHODS.len()).map(move |index| profile(theta_0, index))
 }
 
-/// The law of a method of the library.
-pub fn profile_of(method: MethodRef) -> &'static Profile {
+/// The law of a method of the library on one of [`SWINGS`].
+pub fn profile_of(method: MethodRef, theta_0: f64) -> &'static Profile {
     let is_it = |other: &MethodRef| other.info().name == method.info().name;
-    profile(METHODS.iter().position(is_it).expect("one of the library's methods"))
+    profile(theta_0, METHODS.iter().position(is_it).expect("one of the library's methods"))
 }
 
-fn profile(index: usize) -> &'static Profile {
-    static PROFILES: [OnceLock<Profile>; METHODS.len()] =
-        [const { OnceLock::new() }; METHODS.len()];
-    PROFILES[index].get_or_init(|| Profile::measure(METHODS[index]))
+fn profile(theta_0: f64, index: usize) -> &'static Profile {
+    static PROFILES: [[OnceLock<Profile>; METHODS.len()]; SWINGS.len()] =
+        [const { [const { OnceLock::new() }; METHODS.len()] }; SWINGS.len()];
+    let swing = SWINGS.iter().position(|swing| *swing == theta_0).expect("one of the swings");
+    PROFILES[swing][index].get_or_init(|| Profile::measure(METHODS[index], swing))
 }
 
-/// For each rung the exact motion over a period.
-fn truth() -> impl Iterator<Item = &'static [Phase]> {
-    static TRUTH: LazyLock<Vec<Vec<Phase>>> = LazyLock::new(|| {
-        let release = Release::new();
-        let motion = Motion::new(&Pendulum::PAPER, release.start).expect("a finite start");
-        let states = RUNGS.map(|rung| {
-            let steps = libm::round(4.0 * libm::exp2(0.5 * f64::from(rung))) as u64;
-            let grid = release.grid(steps, 1);
-            (1..=steps).map(|n| motion.at(grid.time(n))).collect()
-        });
-        states.collect()
+/// For each rung of a swing the exact motion until its phases repeat: of coarse ones over
+/// [`TURNS`] periods, of the others over one.
+fn truth(swing: usize) -> impl Iterator<Item = (f64, &'static [Phase])> {
+    type Ladder = Vec<(f64, Vec<Phase>)>;
+    static TRUTH: [OnceLock<Ladder>; SWINGS.len()] = [const { OnceLock::new() }; SWINGS.len()];
+    let truth = TRUTH[swing].get_or_init(|| {
+        let release = Release::new(SWINGS[swing]);
+        let finest = if release.theta_0 == THETA_0 { Extent::FULL } else { Extent::PART }.finest;
+        let rungs = ladder(&release).take_while(|steps| *steps <= finest);
+        rungs.map(|steps| (steps, release.exact(steps))).collect()
     });
-    TRUTH.iter().map(Vec::as_slice)
+    truth.iter().map(|(steps, states)| (*steps, states.as_slice()))
+}
+
+impl Release {
+    /// The exact motion in so many steps a period, until the phases repeat.
+    pub fn exact(&self, steps: f64) -> Vec<Phase> {
+        let motion = Motion::new(&Pendulum::PAPER, self.start).expect("a finite start");
+        let grid = self.grid(steps, self.turns(steps));
+        (1..=grid.steps()).map(|n| motion.at(grid.time(n))).collect()
+    }
+
+    /// After how many periods the phases repeat.
+    fn turns(&self, steps: f64) -> u64 {
+        if steps < self.coarse { TURNS } else { 1 }
+    }
 }
 
 impl Rung {
-    /// Runs the method with a step for each state of `truth`, which is the exact motion over a
-    /// period.
-    pub fn measure(method: MethodRef, release: &Release, truth: &[Phase]) -> Self {
-        let steps = truth.len() as u64;
-        // An even number of periods between the first and the last, so that one is half-way.
-        let half = (STEPS / steps).min(LONGEST) / 2;
-        let grid = release.grid(steps, 2 * half + 1);
+    /// Runs the method with `steps` steps a period, and compares it with `truth`, the exact motion
+    /// until its phases repeat.
+    pub fn measure(method: MethodRef, release: &Release, steps: f64, truth: &[Phase]) -> Self {
+        let Extent { longest, steps: most, .. } = Extent::of(method, release);
+        let (turn, turns) = (truth.len(), release.turns(steps));
+        // An even number of turns between the first and the last, so that one is half-way.
+        let half = ((most / turn as u64).min(longest / turns) / 2).max(1);
+        let grid = release.grid(steps, (2 * half + 1) * turns);
         let mut errors = Vec::with_capacity(grid.steps() as usize);
-        method.run(&Pendulum::PAPER, release.start, &grid, &mut |n: u64, _, z: Phase| {
-            if n > 0 {
-                errors.push(z.theta - truth[((n - 1) % steps) as usize].theta);
+        let mut run = method.begin(&Pendulum::PAPER, release.start, &grid);
+        for end in (1..=2 * half as usize + 1).map(|turns| turns * turn) {
+            let solved = run.advance(end as u64, NonZeroU64::MIN, &mut |n: u64, _, z: Phase| {
+                errors.push(z.theta - truth[(n as usize - 1) % turn].theta);
+            });
+            // After a step without a solution there are no states.
+            errors.resize(if solved.is_ok() { end } else { end.max(3 * turn) }, f64::NAN);
+            let is_small = errors[end - turn..].iter().all(|error| error.abs() < ENOUGH);
+            if solved.is_err() || end >= 3 * turn && !is_small {
+                break;
             }
-        });
+        }
         let info = method.info();
-        Self::fit(&errors, truth.len(), !(info.symplectic || info.symmetric))
+        Self::fit(&errors, steps, turns, !(info.symplectic || info.symmetric))
     }
 
-    /// Fits the law to the errors (rad) of an odd number of periods of `steps` steps each; with e₂
-    /// if the action `drifts`.
-    pub(super) fn fit(errors: &[f64], steps: usize, drifts: bool) -> Self {
-        let largest = |largest: &mut f64, period: &[f64]| {
-            *largest = period.iter().fold(*largest, |largest, e| libm::fmaximum(largest, e.abs()));
-            Some(*largest)
-        };
-        let seen = if (steps as u64) < COARSE {
-            errors.chunks(steps).scan(0.0, largest).collect()
-        } else {
-            Vec::new()
-        };
-        let period = |n: usize| &errors[n * steps..][..steps];
-        let small = |n: usize| period(n).iter().all(|error| error.abs() < LARGE);
-        let mut half = errors.len() / steps / 2;
+    /// Fits the law to the errors (rad) of three turns or more of `steps` steps a period, each of
+    /// `turns` periods; with e₂ if the action `drifts`.
+    pub(super) fn fit(errors: &[f64], steps: f64, turns: u64, drifts: bool) -> Self {
+        let turn = libm::round(steps * turns as f64) as usize;
+        let all = errors.len() / turn;
+        let mut seen = Vec::new();
+        if turns > 1 {
+            let (mut n, mut largest) = (0, 0.0);
+            while n < errors.len() {
+                // With the step that ends the period, or goes beyond its end.
+                let end = libm::ceil(steps * (seen.len() + 1) as f64) as usize;
+                let end = end.min(errors.len());
+                largest = errors[n..end].iter().fold(largest, |a, e| libm::fmaximum(a, e.abs()));
+                seen.push(largest);
+                n = end;
+            }
+        }
+        let turn_at = |n: usize| &errors[n * turn..][..turn];
+        let small = |n: usize| turn_at(n).iter().all(|error| error.abs() < LARGE);
+        let mut half = (all - 1) / 2;
         while half > 1 && !small(2 * half) {
             half /= 2;
         }
-        let q = half as f64;
-        let coefficients = |((first, middle), last): ((&f64, &f64), &f64)| {
+        let q = (half as u64 * turns) as f64;
+        let coefficients = |(i, ((first, middle), last)): (usize, ((&f64, &f64), &f64))| {
             let bend = if drifts { (first - 2.0 * middle + last) / (2.0 * q * q) } else { 0.0 };
-            [*first, (last - first) / (2.0 * q) - 2.0 * q * bend, bend]
+            let slope = (last - first) / (2.0 * q) - 2.0 * q * bend;
+            // The first turn is so many periods after the first period.
+            let late = libm::floor(i as f64 / steps);
+            [first - late * (slope - late * bend), slope - 2.0 * late * bend, bend]
         };
-        let growth = period(0).iter().zip(period(half)).zip(period(2 * half)).map(coefficients);
-        let growth = growth.step_by((steps / PHASES).max(1)).collect();
-        let periods = if seen.is_empty() { 2 * half } else { seen.len() };
-        Self { steps: steps as u64, periods: periods as u64, growth, seen }
+        let turns_apart = turn_at(0).iter().zip(turn_at(half)).zip(turn_at(2 * half));
+        let growth = turns_apart.enumerate().map(coefficients);
+        let growth = growth.step_by((turn / PHASES).max(1)).collect();
+        let periods = if seen.is_empty() { 2 * half as u64 } else { seen.len() as u64 };
+        Self { steps, periods, growth, seen }
     }
 
     /// The largest error (rad) at any phase of the first `periods` periods.
@@ -148,7 +220,8 @@ impl Rung {
             let between = if vertex > 0.0 && vertex < last { at(vertex) } else { 0.0 };
             at(0.0).max(at(last)).max(between)
         };
-        self.growth.iter().map(largest).fold(0.0, libm::fmaximum)
+        let seen = self.seen.last().copied().unwrap_or(0.0);
+        self.growth.iter().map(largest).fold(seen, libm::fmaximum)
     }
 
     /// The largest of the coefficients e₂ (rad): zero for a method whose action does not drift.
@@ -156,31 +229,25 @@ impl Rung {
         self.growth.iter().map(|e| e[2].abs()).fold(0.0, libm::fmaximum)
     }
 
-    /// This rung extrapolated to a step smaller by `factor`, to a whole number of steps: e₀ and e₁
-    /// go as h to the power `order`, and e₂ to the power `drift`.
-    pub(super) fn refined(&self, factor: f64, order: f64, drift: f64) -> Self {
-        let steps = libm::round(self.steps as f64 * factor);
-        let factor = steps / self.steps as f64;
+    /// This rung extrapolated to shorter `steps`: e₀ and e₁ go as h to the power `order`, and e₂ to
+    /// the power `drift`.
+    pub(super) fn refined(&self, steps: f64, order: f64, drift: f64) -> Self {
+        let factor = steps / self.steps;
         let (by, drift) = (libm::pow(factor, -order), libm::pow(factor, -drift));
         let growth = self.growth.iter().map(|[e0, e1, e2]| [e0 * by, e1 * by, e2 * drift]);
-        Self {
-            steps: steps as u64,
-            periods: self.periods,
-            growth: growth.collect(),
-            seen: Vec::new(),
-        }
+        Self { steps, periods: self.periods, growth: growth.collect(), seen: Vec::new() }
     }
 }
 
 impl Profile {
-    fn measure(method: MethodRef) -> Self {
-        let release = Release::new();
+    fn measure(method: MethodRef, swing: usize) -> Self {
+        let release = Release::new(SWINGS[swing]);
         let mut profile = Self { method, release, rungs: Vec::new() };
-        for truth in truth() {
-            if profile.is_exhausted() {
+        for (steps, truth) in truth(swing) {
+            if profile.is_exhausted() || steps > Extent::of(method, &release).finest {
                 break;
             }
-            profile.rungs.push(Rung::measure(method, &release, truth));
+            profile.rungs.push(Rung::measure(method, &release, steps, truth));
         }
         profile
     }
@@ -195,31 +262,44 @@ impl Profile {
     /// The error over a run of `periods` periods, as a function of the step.
     pub fn over(&self, periods: u64) -> Curve {
         let clear = |rung: &Rung| {
-            // Rounding at the end of the measured run ends up in e₁ or in e₂, and is extrapolated
-            // with it; a second difference of three errors is four times as uncertain as a first
-            // one.
-            let rounding = self.release.rounding(self.method, rung.steps, rung.periods);
-            let beyond = (periods as f64 / rung.periods as f64).max(1.0);
-            let carried = if rung.drift() > 0.0 { 4.0 * beyond * beyond } else { beyond };
-            rung.error(periods) > CLEAR * carried * rounding
+            // Rounding at the end of the measured run ends up in e₁ or in e₂, and is carried to the
+            // end of this one with it, which may be earlier or later; a second difference of three
+            // errors is four times as uncertain as a first one. That of the first period is in e₀.
+            let rounding = |periods| self.release.rounding(self.method, rung.steps, periods);
+            let part = periods as f64 / rung.periods as f64;
+            let carried = if rung.drift() > 0.0 { 4.0 * part.max(part * part) } else { part };
+            rung.error(periods) > CLEAR * (rounding(1) + carried * rounding(rung.periods))
         };
         // In long steps an implicit method may find no solution, and its errors are not finite.
-        let useless = |rung: &&Rung| {
-            rung.steps < COARSE && (rung.periods < periods || !rung.error(periods).is_finite())
-        };
-        let rungs = self.rungs.iter().skip_while(useless);
+        let useless = |rung: &Rung| !rung.seen.is_empty() && !rung.error(periods).is_finite();
+        let first = self.rungs.iter().rposition(useless).map_or(0, |last| last + 1);
+        let rungs = self.rungs[first..].iter();
         let mut rungs: Vec<Rung> = rungs.take_while(|rung| clear(rung)).cloned().collect();
+        let known =
+            rungs.iter().rfind(|rung| rung.periods >= periods).map_or(0.0, |rung| rung.steps);
+        let finest = rungs.last().map_or(0.0, |rung| rung.steps);
         let order = f64::from(self.method.info().order);
-        if let [.., coarse, _, last] = &rungs[..] {
-            let octaves = libm::log2(last.steps as f64 / coarse.steps as f64);
+        let an_octave_before = |last: &Rung| {
+            // Whole numbers of steps are an octave apart but for their rounding.
+            let far = |rung: &&Rung| rung.steps < 0.505 * last.steps;
+            rungs.iter().rfind(far).cloned()
+        };
+        let last = rungs.last();
+        if let Some((coarse, last)) = last.and_then(an_octave_before).zip(last.cloned()) {
+            let octaves = libm::log2(last.steps / coarse.steps);
             let power = libm::round(libm::log2(coarse.drift() / last.drift()) / octaves);
             let power = if power > order { order + 1.0 } else { order };
-            let finer = |k| last.refined(libm::exp2(0.5 * f64::from(k)), order, power);
-            let finer: Vec<Rung> = (1..=EXTRAPOLATED).map(finer).collect();
-            rungs.extend(finer);
+            // An error that is small by chance is not extrapolated, but the worst of three.
+            let at_last = |rung: &Rung| rung.refined(last.steps, order, power).error(periods);
+            let worst =
+                |a: &Rung, b: &Rung| if at_last(b) > at_last(a) { b.clone() } else { a.clone() };
+            let three = rungs.iter().rev().take(3).cloned();
+            let from = three.reduce(|a, b| worst(&a, &b)).expect("the last");
+            let beyond = ladder(&self.release).skip_while(|steps| *steps <= last.steps);
+            rungs.extend(beyond.take(EXTRAPOLATED).map(|steps| from.refined(steps, order, power)));
         }
-        let points = rungs.iter().map(|rung| (rung.steps as f64, libm::log(rung.error(periods))));
-        let points = points.collect();
-        Curve { method: self.method, release: self.release, periods, points }
+        let points = rungs.iter().map(|rung| (rung.steps, libm::log(rung.error(periods))));
+        let (method, release, points) = (self.method, self.release, points.collect());
+        Curve { method, release, periods, points, known, finest }
     }
 }

@@ -61,6 +61,7 @@ fn cell(few: &[MethodRef], names: &[MethodRef], cell: &choosing::Cell) -> Cell {
     };
     let name = names.iter().position(|method| same(taken, method)).expect("one of the few");
     let (steps, evaluations) = (taken.steps, taken.evaluations);
+    let how = if taken.extrapolated { " by the law" } else { "" };
     let other = cell.ranking.iter().find(|advice| !same(advice, &taken.method));
     let other = other.map_or("no other can".into(), |other| {
         let part = 100.0 * (other.evaluations as f64 / evaluations as f64 - 1.0);
@@ -68,21 +69,32 @@ fn cell(few: &[MethodRef], names: &[MethodRef], cell: &choosing::Cell) -> Cell {
         format!("{} needs {:.0} % {word}", title(other.method), part.abs())
     });
     let says = [
-        format!("{}, {steps} steps a period, {evaluations} evaluations", title(taken.method)),
+        format!("{}, {steps} steps a period, {evaluations} evaluations{how}", title(taken.method)),
         format!("{place}; {other}"),
     ];
-    Cell { name, number: Some(steps), says }
+    Cell { name, number: Some(libm::round(steps) as u64), says }
 }
 
-/// The regions in which each of a few methods will do.
+/// The regions in which each of a few methods will do, for the swing of the chapter.
 pub(super) fn decision(_: &Study, figure: Figure) -> Figure {
-    let map = choosing::map();
+    figure.panel(regions(choosing::THETA_0).height(420.0))
+}
+
+/// The same for a swing of `theta_0` (rad).
+pub(super) fn other_swing(theta_0: f64, figure: Figure) -> Figure {
+    figure.panel(regions(theta_0).height(300.0))
+}
+
+fn regions(theta_0: f64) -> Chart {
+    let map = choosing::map(theta_0);
     let few = few(&map);
     let mut ordered = few.clone();
     let place = |method: &MethodRef| METHODS.iter().position(|it| title(*it) == title(*method));
     ordered.sort_by_key(place);
-    let (x, y) =
-        (edges(&choosing::PERIODS.map(|periods| periods as f64)), edges(&choosing::allowed()));
+    let mut columns: Vec<f64> = map.iter().map(|cell| cell.periods as f64).collect();
+    columns.dedup();
+    let rows: Vec<f64> = map[..map.len() / columns.len()].iter().map(|cell| cell.allowed).collect();
+    let (x, y) = (edges(&columns), edges(&rows));
     let named = ordered.iter().enumerate();
     let named = named.map(|(i, method)| (title(*method), Fill::Colour(i)));
     let lost = ("lost in rounding", Fill::Paper);
@@ -101,13 +113,11 @@ pub(super) fn decision(_: &Study, figure: Figure) -> Figure {
         unit: "steps".into(),
         prompt: prompt.map(String::from),
     };
-    let chart = Chart::new(
+    Chart::new(
         Axis::log("length of the run (periods)").range(shortest, longest),
         Axis::log("largest angle error allowed (rad)").range(smallest, largest),
     )
-    .height(420.0)
-    .map(regions);
-    figure.panel(chart)
+    .map(regions)
 }
 
 // -------------------------------------------------------------------------------------------------

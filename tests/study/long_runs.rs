@@ -1,0 +1,157 @@
+//! What the ten best methods need for three long runs, found by the runs themselves. It takes
+//! minutes: `cargo test -p pendula-study --test study long_runs -- --ignored
+//! --nocapture`.
+
+use std::num::NonZeroU64;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{fs, panic, thread};
+
+use pendula::exact::Motion;
+use pendula::{AnyMethod, Pendulum, Phase};
+use pendula_study::digits::Digits;
+use pendula_study::experiments::choosing::{Advice, Curve, Release, THETA_0, profiles};
+use rstest::rstest;
+
+use crate::at_root;
+
+/// The largest error of the angle (rad) in a real run of `periods` periods with `steps` steps each:
+/// it grows with the time, or comes and goes within eight periods, and so all samples of eight
+/// periods are looked at, at the end and after each sixteenth of the run.
+fn largest_error(release: &Release, method: &dyn AnyMethod, steps: f64, periods: u64) -> f64 {
+    const PARTS: u64 = 16;
+    let motion = Motion::new(&Pendulum::PAPER, release.start).unwrap();
+    let grid = release.grid(steps, periods);
+    let turn = (8.0 * steps).ceil() as u64;
+    let mut run = method.begin(&Pendulum::PAPER, release.start, &grid);
+    let mut largest = 0.0_f64;
+    for part in 1..=PARTS {
+        let end = (grid.steps() as u128 * u128::from(part) / u128::from(PARTS)) as u64;
+        run.advance(end.saturating_sub(turn), NonZeroU64::MAX, &mut ()).unwrap();
+        run.advance(end, NonZeroU64::MIN, &mut |_: u64, t: f64, z: Phase| {
+            largest = largest.max((z.theta - motion.at(t).theta).abs());
+        })
+        .unwrap();
+        if largest > 1.0 {
+            break;
+        }
+    }
+    largest
+}
+
+/// What a method needed: the longest step with which the run kept to `allowed`, and a step that is
+/// longer by a twentieth or less, with which it did not.
+struct Measured {
+    steps: f64,
+    error: f64,
+    evaluations: u64,
+}
+
+/// From the map's advice to longer steps while they will do, or else to shorter ones until they do.
+/// Steps are those of the map: rungs of the ladder while they are coarse, then whole numbers, of
+/// which each is 2 % more than the one before.
+fn measure(release: &Release, curve: &Curve, advice: &Advice, allowed: f64) -> Measured {
+    let error = |steps| largest_error(release, advice.method, steps, curve.periods);
+    let rungs: Vec<f64> = curve.points.iter().map(|(steps, _)| *steps).collect();
+    let longer = |steps: f64| {
+        let below = (steps / 1.02).floor().min(steps - 1.0);
+        let rung = rungs.iter().rev().find(|rung| **rung < steps && **rung < release.coarse);
+        if below >= release.coarse { below } else { *rung.expect("a coarser rung") }
+    };
+    let shorter = |steps: f64| {
+        let rung = rungs.iter().find(|rung| **rung > steps && **rung <= release.coarse);
+        rung.copied().unwrap_or((steps * 1.02).ceil().max(steps + 1.0))
+    };
+    let (mut steps, mut least) = (advice.steps, error(advice.steps));
+    if least > allowed {
+        while least > allowed {
+            steps = shorter(steps);
+            least = error(steps);
+        }
+    } else {
+        loop {
+            let next = longer(steps);
+            let more = error(next);
+            if more > allowed {
+                break;
+            }
+            (steps, least) = (next, more);
+        }
+    }
+    Measured { steps, error: least, evaluations: curve.evaluations(steps) }
+}
+
+/// How many periods the paper's pendulum makes in so many seconds, at 1 rad.
+fn periods(seconds: f64) -> u64 {
+    (seconds / Release::new(THETA_0).period).round() as u64
+}
+
+/// The evaluations of the best methods for a day to a hundredth of a radian (40 000 periods), for a
+/// million periods and for a year, to a thousandth: the chapter's table. Nothing is extrapolated.
+/// The year takes the fourth best method 8 · 10⁹ evaluations and the tenth three times that: there
+/// the first four are measured.
+///
+/// The map's steps are a rung, of which there are 24 to an octave, or on a chord over half an
+/// octave, which for order p is too high by p ln(√2)/4 in the error's logarithm, and so by
+/// ln(√2)/4 = 9 % in the steps.
+///
+/// Catches: advice that longer runs than the map's tests can afford contradict; a floor under the
+/// steps.
+#[rstest]
+#[case::a_day(0, 40_000, 1e-2, 10)]
+#[case::a_million_periods(1, 1_000_000, 1e-3, 10)]
+#[case::a_year(2, periods(365.25 * 86_400.0), 1e-3, 4)]
+#[ignore = "the year takes minutes: see .ci/slow"]
+fn the_best_methods_need_what_the_map_says(
+    #[case] column: usize,
+    #[case] periods: u64,
+    #[case] allowed: f64,
+    #[case] count: usize,
+) {
+    const CHORD: f64 = 0.09;
+    // Between two of the steps that are tried, rung or not.
+    const STEP: f64 = 0.03;
+    let release = Release::new(THETA_0);
+    let curves = profiles(THETA_0).map(|profile| profile.over(periods));
+    let mut ranking: Vec<(Curve, Advice)> =
+        curves.filter_map(|curve| curve.advice(allowed).map(|advice| (curve, advice))).collect();
+    ranking.sort_by_key(|(_, advice)| advice.evaluations);
+    ranking.truncate(count);
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        while let Some((curve, advice)) = ranking.get(next.fetch_add(1, Ordering::Relaxed)) {
+            done.push((*advice, measure(&release, curve, advice, allowed)));
+        }
+        done
+    };
+    let mut measured = thread::scope(|scope| {
+        let workers: Vec<_> = (0..2).map(|_| scope.spawn(work)).collect();
+        let done = workers
+            .into_iter()
+            .map(|worker| worker.join().unwrap_or_else(|panicked| panic::resume_unwind(panicked)));
+        done.flatten().collect::<Vec<_>>()
+    });
+    measured.sort_by_key(|(_, it)| it.evaluations);
+    println!("{periods} periods, off by at most {allowed} rad:");
+    for (advice, Measured { steps, error, evaluations }) in &measured {
+        let (name, law) = (advice.method.info().name, advice.evaluations as f64);
+        println!(
+            "  {name:22} {steps:9} steps a period, {:.2e} evaluations, off by {error:.1e} rad; \
+             by the map {} steps, {law:.2e}",
+            *evaluations as f64, advice.steps,
+        );
+    }
+    let chapter = fs::read_to_string(at_root("book/src/choosing.md")).unwrap();
+    for (advice, it) in &measured {
+        let more = advice.evaluations as f64 / it.evaluations as f64;
+        assert!((more - 1.0).abs() < CHORD + STEP, "{more} times what is needed: {advice:?}");
+        let head = format!("| {} | ", advice.method.info().title);
+        let rows = chapter.lines().filter_map(|line| line.strip_prefix(&head));
+        let printed = Digits::Scientific(2).print(it.evaluations as f64);
+        let in_book = |row: &str| row.split(" | ").nth(column) == Some(printed.trim());
+        assert!(
+            rows.into_iter().any(in_book),
+            "the chapter does not have {printed} for {advice:?}"
+        );
+    }
+}
