@@ -1,15 +1,11 @@
 //! The map for choosing an integrator, checked against real runs.
 
-use std::sync::LazyLock;
-
 use pendula::registry::in_seconds;
 use pendula::{AnyMethod, Grid, METHODS, Motion, Pendulum, Phase, method_named};
 use pendula_study::experiments::choosing::{
     Advice, Cell, Curve, LONGEST, PERIODS, Release, THETA_0, allowed, map, profile_of,
 };
 use rstest::rstest;
-
-pub static MAP: LazyLock<Vec<Cell>> = LazyLock::new(|| map(THETA_0));
 
 /// The largest error of the angle (rad) of a real run, against the closed form: at every sample, or
 /// in runs of more than 2 · 10⁴ steps at about that many samples, spread over all phases.
@@ -82,15 +78,8 @@ fn chord(order: u32) -> f64 {
 #[case::nearly_over_the_top(3.0, 4)]
 fn the_advice_is_met_in_real_runs(#[case] theta_0: f64, #[case] count: usize) {
     let release = Release::new(theta_0);
-    let (own, affordable);
-    let map = if theta_0 == THETA_0 {
-        affordable = AFFORDABLE;
-        &*MAP
-    } else {
-        (own, affordable) = (map(theta_0), 0.1 * AFFORDABLE);
-        &own
-    };
-    for Cell { periods, allowed, ranking } in some_cells(map, count, affordable) {
+    let affordable = if theta_0 == THETA_0 { AFFORDABLE } else { 0.1 * AFFORDABLE };
+    for Cell { periods, allowed, ranking } in some_cells(map(theta_0), count, affordable) {
         for advice in &ranking[..2] {
             let info = advice.method.info();
             let grid = release.grid(advice.steps, *periods);
@@ -147,12 +136,13 @@ fn steps_for(curve: &Curve, evaluations: u64) -> Option<f64> {
 fn the_second_best_needs_more() {
     let (mut compared, mut coarse) = (0, 0);
     let release = Release::new(THETA_0);
-    for Cell { periods, allowed, ranking } in MAP.iter() {
+    for Cell { periods, allowed, ranking } in map(THETA_0) {
         let [best, next, ..] = &ranking[..] else { continue };
         let info = next.method.info();
         let curve = curve(next, THETA_0, *periods);
         let Some(steps) = steps_for(&curve, best.evaluations) else { continue };
-        if steps * *periods as f64 > AFFORDABLE {
+        // There are many such runs, and so each must be shorter.
+        if steps * *periods as f64 > 0.1 * AFFORDABLE {
             continue;
         }
         let is_coarse = steps < release.coarse;
@@ -166,8 +156,8 @@ fn the_second_best_needs_more() {
         assert!(error > *allowed, "{error:e} of {allowed:e} over {periods} periods: {next:?}");
     }
     // Elsewhere the two best are too close, or their runs too long.
-    assert!(compared > MAP.len() / 8, "{compared} of {} cells", MAP.len());
-    assert!(coarse > MAP.len() / 32, "{coarse} long runs in coarse steps");
+    assert!(compared > map(THETA_0).len() / 8, "{compared} of {} cells", map(THETA_0).len());
+    assert!(coarse > map(THETA_0).len() / 32, "{coarse} long runs in coarse steps");
 }
 
 /// Two methods of which the map long said the contrary: it trusted no step longer than a 32nd of a
@@ -181,7 +171,8 @@ fn a_step_may_be_long() {
     const PERIODS: u64 = 10_000;
     const ALLOWED: f64 = 1e-2;
     let release = Release::new(THETA_0);
-    let cell = MAP.iter().find(|cell| cell.periods == PERIODS && cell.allowed < 1.01 * ALLOWED);
+    let cell =
+        map(THETA_0).iter().find(|cell| cell.periods == PERIODS && cell.allowed < 1.01 * ALLOWED);
     let ranking = &cell.unwrap().ranking;
     let place = |name| ranking.iter().position(|it| it.method.info().name == name).unwrap();
     let (eleven, four) = (place("blanes-moan-6"), place("processed-6"));
@@ -241,15 +232,19 @@ fn rounding_is_as_large_as_the_map_says(
 /// smaller error that costs less work.
 #[test]
 fn more_is_never_cheaper() {
-    assert_eq!(MAP.len(), PERIODS.len() * allowed().len());
+    assert_eq!(map(THETA_0).len(), PERIODS.len() * allowed().len());
     let cost = |cell: &Cell| cell.ranking.first().map_or(u64::MAX, |best| best.evaluations);
-    for (i, cell) in MAP.iter().enumerate() {
+    for (i, cell) in map(THETA_0).iter().enumerate() {
         assert!(cell.ranking.len() <= METHODS.len());
         assert!(cell.ranking.is_sorted_by_key(|advice| advice.evaluations));
         let (row, column) = (i % allowed().len(), i / allowed().len());
-        assert!(row == 0 || cost(cell) >= cost(&MAP[i - 1]), "{cell:?}");
-        assert!(column == 0 || cost(cell) >= cost(&MAP[i - allowed().len()]), "{cell:?}");
+        assert!(row == 0 || cost(cell) >= cost(&map(THETA_0)[i - 1]), "{cell:?}");
+        assert!(column == 0 || cost(cell) >= cost(&map(THETA_0)[i - allowed().len()]), "{cell:?}");
     }
-    assert_eq!(MAP[0].ranking.len(), METHODS.len(), "a tenth of a radian, once: anybody can");
-    assert!(MAP.last().unwrap().ranking.is_empty(), "1e-10 after 10⁵ periods: nobody can");
+    assert_eq!(
+        map(THETA_0)[0].ranking.len(),
+        METHODS.len(),
+        "a tenth of a radian, once: anybody can"
+    );
+    assert!(map(THETA_0).last().unwrap().ranking.is_empty(), "1e-10 after 10⁵ periods: nobody can");
 }

@@ -29,13 +29,18 @@ struct Extent {
 impl Extent {
     const FULL: Self = Self { longest: LONGEST, steps: 1 << 17, finest: 16_384.0 };
 
-    /// For the other maps, and for implicit methods, of which a step costs most and which win
-    /// nothing: a tenth of the work.
+    /// For the other maps: a tenth of the work.
     const PART: Self = Self { longest: LONGEST / 4, steps: 1 << 14, finest: 2048.0 };
 
+    /// For implicit methods, of which a step costs most, and which win nothing in short steps.
+    const IMPLICIT: Self = Self { longest: LONGEST / 4, steps: 1 << 12, finest: 512.0 };
+
     fn of(method: MethodRef, release: &Release) -> Self {
-        let full = release.theta_0 == THETA_0 && !method.info().implicit;
-        if full { Self::FULL } else { Self::PART }
+        match (method.info().implicit, release.theta_0 == THETA_0) {
+            (true, _) => Self::IMPLICIT,
+            (false, true) => Self::FULL,
+            (false, false) => Self::PART,
+        }
     }
 }
 
@@ -112,7 +117,7 @@ pub fn profile_of(method: MethodRef, theta_0: f64) -> &'static Profile {
 fn profile(theta_0: f64, index: usize) -> &'static Profile {
     static PROFILES: [[OnceLock<Profile>; METHODS.len()]; SWINGS.len()] =
         [const { [const { OnceLock::new() }; METHODS.len()] }; SWINGS.len()];
-    let swing = SWINGS.iter().position(|swing| *swing == theta_0).expect("one of the swings");
+    let swing = super::swing(theta_0);
     PROFILES[swing][index].get_or_init(|| Profile::measure(METHODS[index], swing))
 }
 

@@ -42,6 +42,8 @@
 
 mod error_law;
 
+use std::sync::OnceLock;
+
 pub use error_law::{LONGEST, Profile, Rung, profile_of, profiles};
 use pendula::exact::{Motion, period};
 use pendula::{Grid, Pendulum, Phase};
@@ -275,7 +277,17 @@ pub struct Cell {
 
 /// The map of one of the [`SWINGS`], for all methods of the library: column by column, with each of
 /// [`PERIODS`] and of [`allowed`] for [`THETA_0`], and for the others with one to a decade.
-pub fn map(theta_0: f64) -> Vec<Cell> {
+pub fn map(theta_0: f64) -> &'static [Cell] {
+    static MAPS: [OnceLock<Vec<Cell>>; SWINGS.len()] = [const { OnceLock::new() }; SWINGS.len()];
+    MAPS[swing(theta_0)].get_or_init(|| computed(theta_0))
+}
+
+/// The place of this amplitude (rad) among the [`SWINGS`].
+fn swing(theta_0: f64) -> usize {
+    SWINGS.iter().position(|swing| *swing == theta_0).expect("one of the swings")
+}
+
+fn computed(theta_0: f64) -> Vec<Cell> {
     let (third, second) = if theta_0 == THETA_0 { (1, 1) } else { (3, 2) };
     let mut map = Vec::new();
     for periods in PERIODS.into_iter().step_by(third) {

@@ -87,7 +87,7 @@ pub(super) fn other_swing(theta_0: f64, figure: Figure) -> Figure {
 
 fn regions(theta_0: f64) -> Chart {
     let map = choosing::map(theta_0);
-    let few = few(&map);
+    let few = few(map);
     let mut ordered = few.clone();
     let place = |method: &MethodRef| METHODS.iter().position(|it| title(*it) == title(*method));
     ordered.sort_by_key(place);
