@@ -43,7 +43,7 @@ const TYPED: &[Typed] = &[
     ("choosing", "errs by 0.32 rad in the day", "0.32", || blanes_moan_6_in_a_day(10.0)),
     ("choosing", "in 10.125 by 0.002", "0.002", || blanes_moan_6_in_a_day(9.875)),
     ("choosing", "in 10.125 by 0.002", "0.002", || blanes_moan_6_in_a_day(10.125)),
-    ("choosing", "up to 1.7 times the", "1.7", || work_without_a_gradient(2.0)),
+    ("choosing", "up to 2.0 times the", "2.0", || work_without_a_gradient(2.0)),
     ("choosing", "up to 2.0 times", "2.0", || work_without_a_gradient(3.0)),
     ("choosing", "take RK4 about 28 000", "2.8e4", || hundred_swings("rk4")),
     ("choosing", "Störmer–Verlet about 94 000.", "9.4e4", || hundred_swings("stormer-verlet")),
