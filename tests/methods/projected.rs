@@ -8,8 +8,8 @@ use rstest::rstest;
 
 const START: Phase = Phase::at_rest(1.0);
 
-/// The largest error of the angle (rad), and of the energy (J), of a run from rest at 1 rad; and the
-/// largest change of the energy (J) by one step.
+/// The largest error of the angle (rad), and of the energy (J), of a run from rest at 1 rad; and
+/// the largest change of the energy (J) by one step.
 fn run(method: &impl Method<Pendulum>, h: f64, duration: f64) -> [f64; 3] {
     let pendulum = Pendulum::PAPER;
     let motion = Motion::new(&pendulum, START).unwrap();
@@ -27,15 +27,15 @@ fn run(method: &impl Method<Pendulum>, h: f64, duration: f64) -> [f64; 3] {
     [angle, drift, change]
 }
 
-/// In units of mgL the energy has curvatures of at most 1, and on the curve through 1 rad a gradient
-/// of at least sin(1): its square, sin²θ + 2(cos θ − cos 1), is smallest at the turning points. So a
-/// step that leaves the curve by e is brought back to within e²/(2 sin²1) of it. The step of the
-/// method alone is taken from a state as close to the curve, and e is what it changes the energy by.
-/// An energy of 4.5 J is rounded by 9e-16, a few times in a step.
+/// In units of mgL the energy has curvatures of at most 1, and on the curve through 1 rad a
+/// gradient of at least sin(1): its square, sin²θ + 2(cos θ − cos 1), is smallest at the turning
+/// points. So a step that leaves the curve by e is brought back to within e²/(2 sin²1) of it. The
+/// step of the method alone is taken from a state as close to the curve, and e is what it changes
+/// the energy by. An energy of 4.5 J is rounded by 9e-16, a few times in a step.
 ///
-/// The order is that of the method: the next term bends its slope by at most 0.1 at these steps. (In
-/// a longer run forward Euler would look like a method of order 2. Its error of order 1 comes and
-/// goes in each swing, and what adds up is of order 2.)
+/// The order is that of the method: the next term bends its slope by at most 0.1 at these steps.
+/// (In a longer run forward Euler would look like a method of order 2. Its error of order 1 comes
+/// and goes in each swing, and what adds up is of order 2.)
 ///
 /// Catches: a projection onto the energy of the step before, whose errors add up; one along another
 /// direction than the gradient, or as far as half of it or twice; one that spoils the order.

@@ -70,9 +70,10 @@ fn largest_error<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
 /// rounding it is at most 1/30 of the first, which bends a slope between halved steps by less than
 /// 0.03.
 ///
-/// In a symmetric method it bends the slope in proportion to the step's square, and not by so little
-/// where the method is designed for a small first term: that of SRKN 6b is here thirty times smaller
-/// than its second over x². So of two slopes that share a rung the square's part is taken out.
+/// In a symmetric method it bends the slope in proportion to the step's square, and not by so
+/// little where the method is designed for a small first term: that of SRKN 6b is here thirty times
+/// smaller than its second over x². So of two slopes that share a rung the square's part is taken
+/// out.
 const SLOPE_TOLERANCE: f64 = 0.05;
 
 /// Beyond order 4, for a method that is not symmetric, the second term is at most this many times x

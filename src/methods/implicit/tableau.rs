@@ -219,10 +219,10 @@ impl<const S: usize> ImplicitTableau<S> {
         slopes
     }
 
-    /// Whether the `change` by a sweep of the slopes, which are `weighted`, is what rounding the state `z` changes in
-    /// them, whatever the units of its components: the sum and the scale in `solve` add numbers of
-    /// different units, and where the time unit is long, a large angle rounds the force by more
-    /// than a part of that scale.
+    /// Whether the `change` by a sweep of the slopes, which are `weighted`, is what rounding the
+    /// state `z` changes in them, whatever the units of its components: the sum and the scale in
+    /// `solve` add numbers of different units, and where the time unit is long, a large angle
+    /// rounds the force by more than a part of that scale.
     fn is_noise<Sys>(
         &self,
         system: &Sys,

@@ -8,11 +8,12 @@ use crate::methods::{Info, MethodInfo};
 ///
 /// Where the kinetic energy is quadratic, the leading error, of order 5, has fewer terms than for
 /// other splittings, and three parameters are chosen so that those are small. On other splittings
-/// it is of order 4 as well. Order 4, symplectic, symmetric, six force evaluations a step. The coefficients are the nearest to those
-/// printed that meet the order conditions beyond the printed digits. S. Blanes, P. C. Moan:
-/// Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström methods, *Journal of
-/// Computational and Applied Mathematics* 142 (2002), 313–330, doi:10.1016/S0377-0427(01)00492-7,
-/// Table 3, the six-stage method that begins with a kick.
+/// it is of order 4 as well. Order 4, symplectic, symmetric, six force evaluations a step. The
+/// coefficients are the nearest to those printed that meet the order conditions beyond the printed
+/// digits. S. Blanes, P. C. Moan: Practical symplectic partitioned Runge–Kutta and
+/// Runge–Kutta–Nyström methods, *Journal of Computational and Applied Mathematics* 142 (2002),
+/// 313–330, doi:10.1016/S0377-0427(01)00492-7, Table 3, the six-stage method that begins with a
+/// kick.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BlanesMoanSrkn6b;
 

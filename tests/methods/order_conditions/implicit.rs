@@ -173,8 +173,8 @@ fn growth<const S: usize>(a: &[[DoubleDouble; S]; S], b: &[f64; S]) -> f64 {
 /// Twice the digits leave a hundred roundings of 2⁻¹⁰⁴; a coefficient that is rounded is off by
 /// some 2⁻⁵⁶.
 ///
-/// Catches: a matrix of the nearest numbers, whose energy rises by 3.5e-19 of itself in each step of
-/// Gauss 16; parts that do not add up to 1.
+/// Catches: a matrix of the nearest numbers, whose energy rises by 3.5e-19 of itself in each step
+/// of Gauss 16; parts that do not add up to 1.
 #[test]
 fn no_rounding_of_the_coefficients_makes_the_energy_drift() {
     fn check<const S: usize>(table: &ImplicitTableau<S>) {

@@ -157,9 +157,9 @@ const TOLERANCE: f64 = 2e-4;
 const TOLERANCE_IF_MEASURED: f64 = 4e-2;
 
 /// The error over xᵖ of a symmetric method at the finest step whose error is three digits above
-/// rounding, 1e-14; and its relative tolerance: three times the square of the longest substep, which
-/// is below 2x, as the next term of the error is of that order. (For SRKN 6b, designed for a small
-/// first term, it is 2.5 times that, and for no other more than twice.)
+/// rounding, 1e-14; and its relative tolerance: three times the square of the longest substep,
+/// which is below 2x, as the next term of the error is of that order. (For SRKN 6b, designed for a
+/// small first term, it is 2.5 times that, and for no other more than twice.)
 fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
     const ROUNDED: f64 = 1e-11;
     let order = method.info().order;

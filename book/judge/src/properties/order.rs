@@ -45,14 +45,14 @@ pub struct Ladder {
     /// How far the slope between a rung and the next may be from the order.
     ///
     /// Up to order 4, and of a method that is not symmetric, 0.05: the second term of the error is
-    /// at most 1/30 of the first at the coarsest rung, which bends the slope between it and the next
-    /// by less than 0.03.
+    /// at most 1/30 of the first at the coarsest rung, which bends the slope between it and the
+    /// next by less than 0.03.
     ///
     /// The second term is not smaller by a factor as well where a method is designed for a small
     /// first term. With x = ω₀h it is x² of the first in a symmetric method, for SRKN 14a 0.8 x²,
-    /// which bends a slope by 1.3 x² between rungs as close as those of order 6, and by less between
-    /// others. In other methods of order 5 to 8 it is smaller by one power of x, and bends a slope
-    /// by 3/2 x; for Dormand–Prince it is 1.4 x.
+    /// which bends a slope by 1.3 x² between rungs as close as those of order 6, and by less
+    /// between others. In other methods of order 5 to 8 it is smaller by one power of x, and bends
+    /// a slope by 3/2 x; for Dormand–Prince it is 1.4 x.
     ///
     /// Beyond order 8, the steps whose errors are above rounding are not short against the time
     /// scale of the motion, 1/ω₀; an error is between half and twice its first term, and a slope
