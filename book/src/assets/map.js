@@ -2,7 +2,7 @@
 // cell to cell. The cell with the focus says what one under a mouse says: book/theme/pendula.css.
 'use strict';
 
-for (const map of document.querySelectorAll('[id^="fig-decision"]')) {
+for (const map of document.querySelectorAll('svg[id^="fig-decision"]')) {
     const cells = [...map.querySelectorAll(':scope > .cell')];
     // They stand column by column, and their paths begin with the column's place.
     const column = cell => cell.firstElementChild.getAttribute('d').split(',')[0],
