@@ -7,6 +7,7 @@
 
 use core::f64::consts::TAU;
 
+use super::order::has_small_first_term;
 use super::{CheckResult, beyond, near, pendulum, run};
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::{AnyMethod, Motion, Pendulum, Phase};
@@ -157,9 +158,9 @@ const TOLERANCE: f64 = 2e-4;
 const TOLERANCE_IF_MEASURED: f64 = 4e-2;
 
 /// The error over xᵖ of a symmetric method at the finest step whose error is three digits above
-/// rounding, 1e-14; and its relative tolerance: three times the square of the longest substep,
-/// which is below 2x, as the next term of the error is of that order. (For SRKN 6b, designed for a
-/// small first term, it is 2.5 times that, and for no other more than twice.)
+/// rounding, 1e-14; and its relative tolerance: twice the square of the longest substep, which is
+/// below 2x, as the next term of the error is of that order; three times that for a method designed
+/// for a small first term. (For SRKN 6b it is 2.5 times.)
 fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pair, f64) {
     const ROUNDED: f64 = 1e-11;
     let order = method.info().order;
@@ -171,7 +172,9 @@ fn finest_constant(method: &dyn AnyMethod, pendulum: &Pendulum, z: Pair) -> (Pai
     };
     let finest = measured.iter().find(|(steps, error)| !rounded(*steps, error));
     let (steps, error) = finest.unwrap_or(&measured[steps.len() - 1]);
-    (*error, 3.0 * libm::pow(2.0 * x(*steps), 2.0) + 1e-3)
+    let is_small = has_small_first_term(libm::hypot(error[0], error[1]), 1.0, f64::from(order));
+    let next = if is_small { 3.0 } else { 2.0 };
+    (*error, next * libm::pow(2.0 * x(*steps), 2.0) + 1e-3)
 }
 
 /// The errors at [`END`] in few, long steps, from runs in arithmetic of 60 digits: see

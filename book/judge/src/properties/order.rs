@@ -44,20 +44,29 @@ pub struct Ladder {
     pub errors: [f64; 5],
     /// How far the slope between a rung and the next may be from the order.
     ///
-    /// Up to order 4, and of a method that is not symmetric, 0.05: the second term of the error is
-    /// at most 1/30 of the first at the coarsest rung, which bends the slope between it and the
+    /// Up to order 4, and of a symmetric method up to order 8, 0.05: the second term of the error
+    /// is at most 1/30 of the first at the coarsest rung, which bends the slope between it and the
     /// next by less than 0.03.
     ///
-    /// The second term is not smaller by a factor as well where a method is designed for a small
-    /// first term. With x = ω₀h it is x² of the first in a symmetric method, for SRKN 14a 0.8 x²,
-    /// which bends a slope by 1.3 x² between rungs as close as those of order 6, and by less
-    /// between others. In other methods of order 5 to 8 it is smaller by one power of x, and bends
-    /// a slope by 3/2 x; for Dormand–Prince it is 1.4 x.
+    /// Of a symmetric method [with a small first term](has_small_first_term), 0.05 + 1.3 x², with x
+    /// = ω₀h: its second term is x² of the first, for SRKN 14a 0.8 x², which bends a slope by 1.3
+    /// x² between rungs as close as those of order 6, and by less between others.
+    ///
+    /// For other methods up to order 8, 0.05 + 3/2 x: the second term is smaller than the first by
+    /// one power of x and not by two, and not by a small factor, as those methods are designed for
+    /// a small first term. For Dormand–Prince it is 1.4 x.
     ///
     /// Beyond order 8, the steps whose errors are above rounding are not short against the time
     /// scale of the motion, 1/ω₀; an error is between half and twice its first term, and a slope
     /// over the factor f in the step is uncertain by ln 4 / ln f: by 2 of 16, by 3 of 24.
     pub windows: [f64; 4],
+}
+
+/// Whether a method of this order was designed for a small first term of its error: whether an
+/// error at x = ω₀h is below (0.09 x)ᵖ. SRKN 14a has 0.06 in place of the 0.09, SRKN 6b has 0.08.
+/// Blanes–Moan 6 has 0.094, and no other symmetric method of the library less than 0.14.
+pub(super) fn has_small_first_term(error: f64, x: f64, order: f64) -> bool {
+    libm::pow(error, 1.0 / order) < 0.09 * x
 }
 
 impl Ladder {
@@ -79,19 +88,20 @@ impl Ladder {
         // Errors that never are so small do not fall at the order: any rungs show that.
         let rungs = [0, 1, 2, 3, 4].map(|k| rung(first.unwrap_or(4096) as f64, factor, k));
         let steps = rungs.map(|n| DURATION / n as f64);
+        let errors = rungs.map(error);
+        let x = |k: usize| frequency() * steps[k];
         let window = |k: usize| {
             if entry.order > 8 {
                 libm::log(4.0) / libm::log(steps[k] / steps[k + 1])
-            } else if entry.symmetric {
-                let x = frequency() * steps[k];
-                0.05 + 1.3 * x * x
-            } else if entry.order <= 4 {
+            } else if entry.symmetric && has_small_first_term(errors[0], x(0), order) {
+                0.05 + 1.3 * x(k) * x(k)
+            } else if entry.symmetric || entry.order <= 4 {
                 0.05
             } else {
-                0.05 + 1.5 * frequency() * steps[k]
+                0.05 + 1.5 * x(k)
             }
         };
-        Self { steps, errors: rungs.map(error), windows: [0, 1, 2, 3].map(window) }
+        Self { steps, errors, windows: [0, 1, 2, 3].map(window) }
     }
 
     /// The slope of each pair of neighbours above the rounding floor.
