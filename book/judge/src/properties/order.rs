@@ -48,7 +48,7 @@ pub struct Ladder {
     /// is at most 1/30 of the first at the coarsest rung, which bends the slope between it and the
     /// next by less than 0.03.
     ///
-    /// Of a symmetric method [with a small first term](has_small_first_term), 0.05 + 1.3 x², with x
+    /// Of a symmetric method with a small first term, 0.05 + 1.3 x², with x
     /// = ω₀h: its second term is x² of the first, for SRKN 14a 0.8 x², which bends a slope by 1.3
     /// x² between rungs as close as those of order 6, and by less between others.
     ///
