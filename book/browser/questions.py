@@ -311,6 +311,38 @@ def odd_numbers(question: Question):
         assert question.says(text).startswith(expected), (question.name, text)
 
 
+def test_what_shows_an_answer_is_folded(tab, book):
+    """Catches: an output that answers the question above it before the reader has; one that stays
+    away after an answer, or that a link, a search or a reader without scripts cannot come to."""
+    without_labs(tab)
+    count = 0
+    for page in pages(book):
+        folding = [name for name, source in sources(page).items() if source.get("fold")]
+        if not folding:
+            continue
+        tab.open(page)
+        for number, name in enumerate(folding):
+            count += 1
+            question = Question(tab, page, name)
+            below = Part(tab, f"#question-{name} ~ .shows")
+            shown = "spot.firstElementChild.checkVisibility()"
+            assert not below.run(shown) and below.run("!!spot.textContent.trim()"), name
+            with tab.on_paper():
+                assert below.run(shown), name
+            if number == 0:
+                below.tab.run("document.querySelector('.instead > button').click()")
+            else:
+                what, right, _ = question.entries()[0]
+                question.enter(what)
+                question.way.press()
+                assert not right, name
+            assert below.run(shown), name
+        with tab.without_scripts() as plain:
+            plain.open(page)
+            assert plain.run("document.querySelector('.shows') === null"), page
+    assert count >= 10, count
+
+
 def test_answers(tab, book):
     """Catches: an answer that moves, narrows, covers or cuts a box; a sentence of which a part is
     said, or that belongs to another answer; a right answer called wrong; what is not answered

@@ -1,6 +1,7 @@
 // The questions of a chapter: a choice, a number or an order is answered with the sentence on it
 // that stands, folded, below the question; on a page with an exam all of them are answered
-// together, and the address holds what was entered.
+// together, and the address holds what was entered. What shows the answer to a question of a
+// chapter is folded until the reader has answered.
 'use strict';
 {
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
@@ -43,6 +44,34 @@
             this.offer = button('show', 'Show the answer', () => this.show());
             this.folded.hidden = true;
             this.misses = 0;
+            if ('fold' in form.dataset && !exam) this.fold();
+        }
+
+        // Puts away what shows the answer: from the first output, figure or table below it, up to
+        // the heading or question after that. A search within the page, or a link, finds it there.
+        fold() {
+            const from = (one, end) =>
+                one && !one.matches(end) ? [one, ...from(one.nextElementSibling, end)] : [];
+            const first = from(this.form.nextElementSibling, '.question')
+                .find(it => it.matches('.output, figure, .table-wrapper'));
+            if (!first) return;
+            this.shows = element('div', {className: 'shows'});
+            // Where a browser knows this value, it opens what a search or a link leads to.
+            this.shows.setAttribute('hidden', 'until-found');
+            this.shows.addEventListener('beforematch', () => this.reveal());
+            this.instead = element('p', {
+                className: 'instead',
+                textContent: 'What comes next shows the answer. Answer first, or',
+            });
+            this.instead.append(button('reveal', 'show it now', () => this.reveal()));
+            const folded = from(first, 'h2, h3, .question');
+            first.before(this.instead, this.shows);
+            this.shows.append(...folded);
+        }
+
+        reveal() {
+            this.instead?.remove();
+            this.shows?.removeAttribute('hidden');
         }
 
         get controls() {
@@ -121,6 +150,7 @@
             this.form.classList.toggle('is-right', is === 'right');
             this.form.classList.toggle('is-wrong', is === 'wrong');
             if (is === 'right' || (exam && is === 'wrong')) this.unfold();
+            if (is !== 'open') this.reveal();
             return is;
         }
 
@@ -193,6 +223,15 @@
             });
         }
         addEventListener('pageshow', recall);
+        const sought = () => {
+            const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+            const question = questions.find(({shows}) => target && shows?.contains(target));
+            if (!question) return;
+            question.reveal();
+            target.scrollIntoView();
+        };
+        addEventListener('hashchange', sought);
+        sought();
         // Another place on the page is another one in the history.
         addEventListener('hashchange', remember);
     } else {

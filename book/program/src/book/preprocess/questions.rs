@@ -3,6 +3,7 @@
 //! ```toml
 //! id = "rk4-energy"
 //! ask = "Half the step, twice as many steps: by what factor does the loss of energy fall?"
+//! fold = true                      # what shows the answer is folded until the reader has answered
 //!
 //! [[choice]]                       # which of these? Readers believe each of them.
 //! is = "16"
@@ -27,6 +28,10 @@
 //! the numbers of the mistakes, and how near to the right number an answer has to be. A question
 //! that does not have exactly one right answer stops the build. Without scripts its answer is
 //! folded below it; on paper the answers stand at the end of the chapter.
+//!
+//! With `fold`, what follows the question and shows its answer is folded until the reader has
+//! answered or asks for it: from the first output, figure or table below it, up to the heading or
+//! question after that. Without scripts and on paper nothing of it is folded.
 
 use std::fmt::Write;
 
@@ -47,6 +52,9 @@ pub const FENCE: &str = "```question\n";
 struct Question {
     id: String,
     ask: String,
+    /// Whether what shows the answer below the question is folded until it is answered.
+    #[serde(default)]
+    fold: bool,
     /// Why the right order is right.
     because: Option<String>,
     /// In the exam: what to read again.
@@ -141,8 +149,9 @@ pub fn set(
         Some(again) => format!("<p class=\"again\">{}</p>\n", inline(again)?),
         None => String::new(),
     };
+    let fold = if question.fold { " data-fold" } else { "" };
     let form = format!(
-        "<fieldset class=\"question\" id=\"question-{id}\" data-kind=\"{kind}\">\n\
+        "<fieldset class=\"question\" id=\"question-{id}\" data-kind=\"{kind}\"{fold}>\n\
          <legend>{ask}</legend>\n{}<details class=\"answer\">\n<summary>Answer</summary>\n\
          <ul>\n{}{}</ul>\n{again}</details>\n</fieldset>\n",
         parts.controls, parts.right, parts.wrong,
@@ -386,6 +395,14 @@ mod tests {
         assert!(form.contains("<li data-is=\"a\"><strong><code>a</code></strong>"), "{form}");
         assert!(form.contains("rk4.html#why") && !form.contains("\n\n"), "{form}");
         assert_eq!(form.matches("data-right").count(), 1);
+    }
+
+    /// Catches: a page whose questions are all folded, or none.
+    #[test]
+    fn what_shows_the_answer_is_folded_where_the_author_says_so() {
+        let plain = form(&format!("id = \"which\"\n{CHOICES}")).unwrap().form;
+        let folded = form(&format!("id = \"which\"\nfold = true\n{CHOICES}")).unwrap().form;
+        assert!(!plain.contains("data-fold") && folded.contains("data-kind=\"which\" data-fold>"));
     }
 
     /// Catches: a tolerance that is not about the number that was computed, or that the reader is
