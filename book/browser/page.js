@@ -59,12 +59,10 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
     }
 
     // Paper: no picture and no listing that a page has no room for. Letter paper is 980 px high
-    // between margins. The pages of the tests, whose names are code, are whole files.
-    let isTest = false;
-    for (const whole of paper ? all('h1, img, svg[role=img], pre') : []) {
-        if (whole.localName === 'h1') isTest = whole.querySelector('code') !== null;
+    // between margins.
+    for (const whole of paper ? all('img, svg[role=img], pre') : []) {
         const {height} = whole.getBoundingClientRect();
-        if (!isTest && height > 980) {
+        if (height > 980) {
             find('higher than a sheet', `${Math.round(height)} px, ${name(whole)}`);
         }
     }

@@ -19,6 +19,7 @@ use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 use crate::book::ledger::Ledger;
 use crate::book::page_files;
 use crate::book::preprocess::Pendula;
+use crate::book::print;
 use crate::book::progress::Progress;
 use crate::output::files;
 use crate::output::files::whole_folder::WholeFolder;
@@ -82,6 +83,7 @@ fn driven(
     book.build()?;
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();
+    print::shorten(&pages)?;
     page_files::join(&pages, &html.additional_js)?;
     page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();

@@ -14,6 +14,7 @@ pub mod ledger;
 pub mod locate;
 mod page_files;
 pub mod preprocess;
+mod print;
 pub mod progress;
 pub mod review;
 pub mod versions;
