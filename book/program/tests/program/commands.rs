@@ -76,7 +76,7 @@ fn work_against_precision_is_printed_and_drawn() {
     assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
     let folder = tempfile::tempdir().unwrap();
     let run = ["--output", folder.path().to_str().unwrap()];
-    let text = bench(&run, 8_000);
+    let text = bench(&run, 3_000);
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
     let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());

@@ -99,6 +99,14 @@ fn told_of_each(scripts: &[&str], told_of: impl Fn(&str) -> String + Sync) -> St
     })
 }
 
+/// Does both at once, as programs are waited for in each.
+fn both<T: Send>(one: impl FnOnce() -> T + Send, other: impl FnOnce() -> T + Send) -> [T; 2] {
+    thread::scope(|scope| {
+        let other = scope.spawn(other);
+        [one(), other.join().unwrap()]
+    })
+}
+
 /// Whether the process runs. A zombie does not.
 fn runs(number: &str) -> bool {
     let output = Command::new("ps").args(["-o", "stat=", "-p", number]).output().unwrap();
@@ -164,8 +172,11 @@ fn a_fault_is_told_in_one_line() {
         script.leaves_nothing();
         line.replace(script.0.path().to_str().unwrap(), "FOLDER")
     };
-    told += &told_of_each(&AT_ONCE, |script| told_of(Script::new(script)));
-    told += &told_of_each(&OVER_A_REQUEST, |script| told_of(Script::greeting(script)));
+    told += &both(
+        || told_of_each(&AT_ONCE, |script| told_of(Script::new(script))),
+        || told_of_each(&OVER_A_REQUEST, |script| told_of(Script::greeting(script))),
+    )
+    .concat();
     // Where an endless complaint is cut off depends on how it comes in.
     let cut = |told: String, end| {
         let whole = "too much";
@@ -228,10 +239,13 @@ fn told_of<T: Debug>(rest: &str, ask: impl Fn(&Program) -> Result<T, Fault>) -> 
 fn a_fault_of_a_solver_is_told_in_one_line() {
     let solve = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&[2.5, 5.0]);
     let solved = |rest: &str| told_of(rest, |program| program.solve(&solve));
-    let states = told_of_each(&OVER_TWO_STATES, solved);
     let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
     let crossed = |rest: &str| told_of(rest, |program| program.crossings(&crossings));
-    insta::assert_snapshot!(states + &told_of_each(&OVER_CROSSINGS, crossed));
+    let told = both(
+        || told_of_each(&OVER_TWO_STATES, solved),
+        || told_of_each(&OVER_CROSSINGS, crossed),
+    );
+    insta::assert_snapshot!(told.concat());
 }
 
 /// Catches: a judge of solvers that takes a broken protocol for a refusal, goes on asking, or does
@@ -299,18 +313,22 @@ fn a_long_question_does_not_keep_the_judge() {
 /// second question to a program that has been ended; another reason the second time.
 #[test]
 fn a_program_that_hangs_at_a_later_request() {
-    let later = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
-    let program = later.started(3.0);
-    assert_eq!(program.answer(&request(0.1, 1)).unwrap().evaluations, Some(2));
-    let why = broken(&program, &request(0.1, 1));
-    assert!(why.contains("given up after 3 s, without an answer"), "{why}");
-    later.leaves_nothing();
-    assert_eq!(broken(&program, &request(0.2, 1)), why);
-
-    let trickle = Script::greeting("while :; do echo 0.5 0.5; sleep 0.1; done");
-    let why = broken(&trickle.started(3.0), &request(0.1, 1000));
-    assert!(why.contains("given up after 3 s, with "), "{why}");
-    trickle.leaves_nothing();
+    let later = || {
+        let script = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
+        let program = script.started(3.0);
+        assert_eq!(program.answer(&request(0.1, 1)).unwrap().evaluations, Some(2));
+        let why = broken(&program, &request(0.1, 1));
+        assert!(why.contains("given up after 3 s, without an answer"), "{why}");
+        script.leaves_nothing();
+        assert_eq!(broken(&program, &request(0.2, 1)), why);
+    };
+    let trickle = || {
+        let script = Script::greeting("while :; do echo 0.5 0.5; sleep 0.1; done");
+        let why = broken(&script.started(3.0), &request(0.1, 1000));
+        assert!(why.contains("given up after 3 s, with "), "{why}");
+        script.leaves_nothing();
+    };
+    both(later, trickle);
 }
 
 /// Catches: a program that greets at its start taken for one at fault, now and then.
