@@ -1,4 +1,4 @@
-//! Errors: what was asked for, why it was refused, and what is allowed.
+//! Errors: what happened, why, and what to do, each in a sentence of its own.
 
 use core::fmt;
 
@@ -70,47 +70,48 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Parameter { name, value, allowed } => {
-                write!(f, "{name} = {value:?} is refused: it must be {allowed}")
+                write!(f, "{name} cannot be {value:?}. It must be {allowed}")
             }
             Self::PartialStep { duration, step } => {
                 let steps = duration / step;
                 write!(
                     f,
-                    "a duration of {duration:?} s is {steps:?} steps of {step:?} s: it must be a \
-                     whole number of steps; "
+                    "a duration of {duration:?} s is {steps:?} steps of {step:?} s. It must be a \
+                     whole number of steps. "
                 )?;
                 if steps < 1.0 {
-                    return write!(f, "the longest that fits is {duration:?} s");
+                    return write!(f, "The longest step that fits is {duration:?} s");
                 }
                 let (longer, shorter) =
                     (duration / libm::floor(steps), duration / libm::ceil(steps));
-                write!(f, "the nearest that fit are {longer:?} s and {shorter:?} s")
+                write!(f, "The nearest steps that fit are {longer:?} s and {shorter:?} s")
             }
             Self::TooManySteps { steps } => write!(
                 f,
-                "{steps:?} steps are too many: at most 2^53 = {MAX_STEPS} can be counted exactly"
+                "{steps:?} steps are too many. At most 2^53 = {MAX_STEPS} can be counted exactly"
             ),
             Self::StepTooSmall { t, step } => write!(
                 f,
-                "at {t:?} s no step meets the tolerance, down to one of {step:?} s: the motion \
-                 ends or is singular there, or its rate is not a finite number; end the run \
-                 before, allow a larger tolerance, or choose units in which numbers are nearer to 1"
+                "at {t:?} s no step meets the tolerance, not even one of {step:?} s. The motion \
+                 ends or is singular there, or its rate is not a finite number. End the run \
+                 earlier, allow a larger tolerance, or choose units in which the numbers are \
+                 closer to 1"
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,
-                "{limit} steps have led no further than to {t:?} s: allow more of them, a larger \
-                 tolerance or a shorter run"
+                "{limit} steps were not enough, and the run came only to {t:?} s. Allow more steps, \
+                 a larger tolerance or a shorter run"
             ),
             Self::UndefinedEvent { index, t } => write!(
                 f,
-                "at {t:?} s function {index} of an event is NaN: it must have a sign, also beyond \
-                 the event within a step"
+                "the event function {index} is NaN at {t:?} s. It must have a sign there too, \
+                 because a step may go beyond the event before the event is found"
             ),
             Self::NotSolved { n, step, sweeps, change } => write!(
                 f,
-                "after {n} steps one of {step:?} s is not solved: {sweeps} sweeps still change it \
-                 by {change:.1e} of its size; it must be shorter, a fraction of the time that the \
-                 motion takes for a radian"
+                "the equations of a step of {step:?} s were not solved after {n} steps: the last of \
+                 {sweeps} iterations still changed it by {change:.1e} of its size. Take a shorter \
+                 step, well below the time in which the state changes by its own size"
             ),
         }
     }

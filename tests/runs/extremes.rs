@@ -61,14 +61,14 @@ fn a_refusal_says_what_is_allowed() {
     let message = Pendulum::new(-9.81, 1.0, 1.0).unwrap_err().to_string();
     assert_eq!(
         message,
-        "gravity g (m/s²) = -9.81 is refused: it must be finite and greater than zero"
+        "gravity g (m/s²) cannot be -9.81. It must be finite and greater than zero"
     );
     let error = pendula::Grid::with_duration(0.3, 1.0).unwrap_err();
     assert_eq!(format!("{error:?}"), "PartialStep { duration: 1.0, step: 0.3 }");
     assert_eq!(
         error.to_string(),
-        "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s: it must be a whole number of \
-         steps; the nearest that fit are 0.3333333333333333 s and 0.25 s"
+        "a duration of 1.0 s is 3.3333333333333335 steps of 0.3 s. It must be a whole number of \
+         steps. The nearest steps that fit are 0.3333333333333333 s and 0.25 s"
     );
 }
 

@@ -224,7 +224,9 @@ where
                 // Its last change was neither rounding nor an overflow.
                 assert!(change > 1e-14 && change < 10.0, "{change:e}");
                 let text = tried.unwrap_err().to_string();
-                let begins = format!("after {n} steps one of {step:?} s is not solved: 100 sweeps");
+                let begins = format!(
+                    "the equations of a step of {step:?} s were not solved after {n} steps"
+                );
                 assert!(text.starts_with(&begins), "{text}");
                 on_the_way += u32::from(n > 0);
                 n

@@ -113,7 +113,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
     assert!(Tolerance::new(5e-324, SMALLEST_RELATIVE).is_ok());
     assert_eq!(
         Tolerance::uniform(1e-16).unwrap_err().to_string(),
-        "relative tolerance = 1e-16 is refused: it must be at least 2.22e-15, ten roundings of an \
+        "relative tolerance cannot be 1e-16. It must be at least 2.22e-15, ten roundings of an \
          f64, and less than 1"
     );
 }
@@ -199,7 +199,7 @@ fn a_limit_is_kept<M: Controlled<Pendulum>>(method: M) {
         .unwrap_err();
     let Error::OutOfSteps { t, limit } = error else { panic!("{error:?}") };
     assert!(limit == attempts - 1 && t > 15.0 && t < 20.0, "{error}");
-    assert!(error.to_string().starts_with(&format!("{limit} steps have led no further")));
+    assert!(error.to_string().starts_with(&format!("{limit} steps were not enough")));
 }
 each_controlled!(a_limit_is_kept);
 

@@ -46,8 +46,8 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let horizon = motion.horizon();
     if let Some(t) = t.iter().find(|t| !(-horizon..=horizon).contains(*t)) {
         return Err(Failure::refused(format!(
-            "t = {t:?} s is refused: it must be a number of at most {horizon:e} s in size, beyond \
-             which neighbouring f64s are a quarter of a period apart, or more"
+            "t cannot be {t:?} s. It must be a number of at most {horizon:e} s in size, because \
+             beyond that neighbouring f64s are a quarter of a period apart, or more"
         )));
     }
     let (out, columns) = (Destination::Caller(out), ["t", "theta", "omega"]);

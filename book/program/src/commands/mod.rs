@@ -33,12 +33,12 @@ pub(crate) fn examples(lines: &[&str]) -> StyledStr {
 pub(crate) fn unsolved(name: &str, error: &pendula::Error) -> Option<Failure> {
     let pendula::Error::NotSolved { n, step, sweeps, change } = error else { return None };
     let change = match change.is_finite() {
-        true => format!("still change the next by {change:.1e} of its size"),
-        false => "lead to no number".to_owned(),
+        true => format!("relative change {change:.1e}"),
+        false => "no finite result".to_owned(),
     };
     Some(Failure::refused(format!(
-        "a step of {step:?} s is refused: the iteration of {name} does not converge on this \
-         motion, after {n} steps {sweeps} sweeps {change}; it must be shorter, a fraction of \
-         the time that the pendulum takes for a radian"
+        "{name} did not converge in step {} of {step:?} s ({sweeps} iterations, {change}). Take a \
+         step well below the time in which the pendulum turns by a radian",
+        n + 1
     )))
 }

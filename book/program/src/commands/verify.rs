@@ -122,7 +122,7 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let seconds = arguments.patience;
     if !(seconds > 0.0 && seconds <= 86_400.0) {
         return Err(Failure::refused(format!(
-            "--patience {seconds:?}: it must be greater than zero and at most 86400 s"
+            "--patience cannot be {seconds:?} s. It must be greater than zero and at most 86400 s"
         )));
     }
     // Status 1 says that a claim fails, and nothing else.

@@ -220,8 +220,8 @@ const AT_ONCE: u64 = 1 << 14;
 /// The failure of a trajectory that overflows.
 pub fn overflow(steps: u64) -> Failure {
     Failure::Failed(anyhow::anyhow!(
-        "after {steps} steps the trajectory has left the range of numbers: take a smaller step, or \
-         units in which g and L are nearer to 1"
+        "after {steps} steps the trajectory has left the range of numbers. Take a smaller step, or \
+         units in which the numbers are closer to 1"
     ))
 }
 

@@ -113,13 +113,13 @@ fn no_walk(name: &str, called: &str) -> Failure {
             let known: Vec<&str> = known.map(|system| system.name()).collect();
             let known = known.join(" or ");
             format!(
-                "--method {SERIES}: the powers of the motion are known for --system {known} \
-                 alone; for {called} take {five} or {eight}"
+                "--method {SERIES} can't integrate {called}, because the power series is known \
+                 only for --system {known}. Use {five} or {eight}"
             )
         }
         _ => format!(
-            "--method {name} does not choose its steps: with --tolerance it must be {five}, \
-             {eight} or {SERIES}"
+            "--method {name} takes fixed steps and knows no tolerance. With --tolerance, use \
+             {five}, {eight} or {SERIES}; with {name}, use --dt"
         ),
     })
 }
@@ -128,7 +128,7 @@ fn no_walk(name: &str, called: &str) -> Failure {
 fn explained(error: Error) -> anyhow::Error {
     match error {
         Error::OutOfSteps { t, limit } => anyhow::anyhow!(
-            "{limit} steps have led no further than to {t:?} s: allow more of them with \
+            "{limit} steps were not enough, and the run came only to {t:?} s. Allow more with \
              --max-steps, a larger --tolerance or a shorter --duration"
         ),
         error => error.into(),

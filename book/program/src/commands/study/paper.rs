@@ -38,7 +38,9 @@ pub fn tables(arguments: &TablesArguments, out: &mut dyn Write) -> Result<(), Fa
         Some(number) if TABLES.contains(&number) => vec![number],
         Some(number) => {
             let known = TABLES.map(|n| n.to_string()).join(", ");
-            return Err(Failure::refused(format!("--table {number}: the tables are {known}")));
+            return Err(Failure::refused(format!(
+                "there is no table {number} with numbers in the paper. The tables are {known}"
+            )));
         }
     };
     let ledger = Ledger::of_the_tables(&Study::of_the_paper());
@@ -155,7 +157,7 @@ impl Filter {
             if !claims.iter().any(|claim| claim.id == *id) {
                 let near = nearest(id, claims.iter().map(|claim| claim.id.as_str())).join(", ");
                 return Err(Failure::refused(format!(
-                    "{id}: there is no such claim; near: {near}"
+                    "there is no claim {id}. The nearest names are {near}"
                 )));
             }
         }
@@ -171,7 +173,7 @@ impl Filter {
                     .collect();
                 let known = known.into_iter().collect::<Vec<_>>().join(", ");
                 return Err(Failure::refused(format!(
-                    "--{option} {asked}: there is no claim of it; there are {known}"
+                    "there is no claim of {option} {asked}. There are claims of {known}"
                 )));
             }
         }

@@ -46,7 +46,7 @@ pub fn run_with(arguments: &Arguments, budget: Budget, out: &mut dyn Write) -> R
     let seconds = arguments.seconds;
     if !(seconds > 0.0 && seconds <= 3600.0) {
         return Err(Failure::refused(format!(
-            "--seconds {seconds:?}: it must be greater than zero and at most 3600"
+            "--seconds cannot be {seconds:?}. It must be greater than zero and at most 3600"
         )));
     }
     let folder = folder(arguments.output.as_deref())?;

@@ -118,7 +118,7 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
     let pendulum = arguments.pendulum.pendulum(mass).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
         return Err(Failure::refused(
-            "arrays one after the other are no array: --part needs --format csv",
+            "--part needs --format csv, because several JSON arrays one after the other are not an array",
         ));
     }
     let mut runner = Runner::new(&arguments.method, pendulum, omega0)?;
@@ -126,7 +126,7 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
     if let Some(name) = &arguments.device {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
-                "a device takes the same steps from many angles: --device needs a range --theta0",
+                "--device needs a range for --theta0, because a device takes the same steps from many angles",
             ));
         }
         device = Device::named(name).map_err(Failure::refused)?;
@@ -151,8 +151,8 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
         }
         _ => {
             return Err(Failure::refused(
-                "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT; one run is \
-                 `pendula simulate`",
+                "exactly one of --theta0 and --dt must be a range FROM:TO:COUNT. For a single run \
+                 use `pendula simulate`",
             ));
         }
     };
@@ -332,8 +332,8 @@ impl Printer<'_> {
         }
         Err(self.runner.not_solved(run).unwrap_or_else(|| {
             Failure::Failed(anyhow::anyhow!(
-                "from {theta0:?} rad with Δt = {dt:?} s the trajectory leaves the range of \
-                 numbers: take a smaller step"
+                "the trajectory from {theta0:?} rad with Δt = {dt:?} s leaves the range of numbers. \
+                 Take a smaller step"
             ))
         }))
     }

@@ -191,7 +191,7 @@ fn next_change(i: u64, count: u64, steps: impl Fn(u64) -> u64) -> Option<u64> {
 fn end(duration: f64, step: f64) -> Result<Grid, Failure> {
     if step > duration {
         return Err(Failure::refused(format!(
-            "a step of {step:?} s is refused: it must be at most the duration, {duration:?} s"
+            "a step of {step:?} s is too long. It must be at most the duration, {duration:?} s"
         )));
     }
     let steps = whole(duration / step);

@@ -241,10 +241,8 @@ fn a_fault_of_a_solver_is_told_in_one_line() {
     let solved = |rest: &str| told_of(rest, |program| program.solve(&solve));
     let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
     let crossed = |rest: &str| told_of(rest, |program| program.crossings(&crossings));
-    let told = both(
-        || told_of_each(&OVER_TWO_STATES, solved),
-        || told_of_each(&OVER_CROSSINGS, crossed),
-    );
+    let told =
+        both(|| told_of_each(&OVER_TWO_STATES, solved), || told_of_each(&OVER_CROSSINGS, crossed));
     insta::assert_snapshot!(told.concat());
 }
 

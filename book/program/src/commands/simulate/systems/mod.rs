@@ -144,7 +144,9 @@ impl<S: Simulated<N>, const N: usize> Registration for Registered<S, N> {
         let within = asked.by_tolerance();
         let method = match (method, within) {
             (Some(method), _) => method,
-            (None, _) if S::NEEDS_METHOD => return Err(Failure::refused("--method is missing")),
+            (None, _) if S::NEEDS_METHOD => {
+                return Err(Failure::refused("--method is missing (for example --method rk4)"));
+            }
             (None, Some(_)) => Dop853.info().name,
             (None, None) => Rk4.info().name,
         };
@@ -168,7 +170,9 @@ impl<S: Simulated<N>, const N: usize> Registration for Registered<S, N> {
             };
         }
         if method == SERIES {
-            let why = format!("--method {method} chooses its steps: --tolerance, not --dt");
+            let why = format!(
+                "--method {method} chooses its steps itself. Use --tolerance instead of --dt"
+            );
             return Err(Failure::refused(why));
         }
         let Some(found) = S::method_named(method) else {
@@ -187,8 +191,8 @@ fn unsuited(name: &str, called: &str, suits: &dyn Fn(&str) -> bool) -> Failure {
     let suited: Vec<&str> = names.filter(|name| suits(name)).collect();
     let suited = suited.join(", ");
     Failure::refused(format!(
-        "--method {name}: it needs more of a system than this one has, {called}; those that suit \
-         are {suited}"
+        "--method {name} can't integrate {called}, because it needs a property that this system \
+         doesn't have. The methods that can are {suited}"
     ))
 }
 

@@ -82,7 +82,7 @@ impl SystemArguments {
             let of = SYSTEMS.iter().filter(|system| has(**system, option));
             let of: Vec<&str> = of.map(|system| system.name()).collect();
             let (of, system) = (of.join(" or "), self.system.name());
-            bail!("--{} belongs to --system {of}, and the system is {system}", option.name);
+            bail!("--{} is an option of --system {of}, but the system is {system}", option.name);
         }
         Ok(self.system)
     }
@@ -90,7 +90,11 @@ impl SystemArguments {
     /// The number that was given, or its default; without either it is a refusal.
     pub fn value(&self, parameter: &Parameter) -> Result<f64> {
         self.given(parameter).or(parameter.default).with_context(|| {
-            format!("--{} is missing for --system {}", parameter.name, self.system.name())
+            format!(
+                "--system {1} needs --{0}, which is missing",
+                parameter.name,
+                self.system.name()
+            )
         })
     }
 

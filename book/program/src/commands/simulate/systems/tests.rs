@@ -55,7 +55,8 @@ fn each_option_of_a_system_counts() {
             other.remove(n);
             match run(*system, &other, STEPS) {
                 Err(why) => {
-                    let missing = format!("--{} is missing for --system {name}", option.name);
+                    let missing =
+                        format!("--system {name} needs --{}, which is missing", option.name);
                     assert_eq!(why, missing);
                 }
                 Ok(rows) if option.default.is_some() => {
@@ -79,7 +80,7 @@ fn each_option_of_another_system_is_refused() {
             let of: Vec<&str> = SYSTEMS.iter().filter(has).map(|it| it.name()).collect();
             let all = [halves(*system), vec![(other, 0.5)]].concat();
             let refused = format!(
-                "--{} belongs to --system {}, and the system is {}",
+                "--{} is an option of --system {}, but the system is {}",
                 other.name,
                 of.join(" or "),
                 system.name()
