@@ -15,7 +15,7 @@ use pendula::{
 };
 use pendula_dynamics::kepler::{Kepler, PlanePhase};
 use pendula_study::charts::{Axis, Chart, Figure, Style};
-use pendula_study::experiments::varying_steps::{Control, run as run_of};
+use pendula_study::experiments::adaptive_steps::{Control, run as run_of};
 use pendula_study::experiments::{choosing, in_paper, level_curves};
 use pendula_study::report::figures::figures;
 use rstest::rstest;
@@ -239,7 +239,7 @@ fn swings() -> Vec<Expected> {
 
 /// The largest energy error of a planet so far, revolution by revolution, with the steps that the
 /// library takes by itself: all equal, and symmetric ones.
-fn varying_steps() -> Vec<Expected> {
+fn adaptive_steps() -> Vec<Expected> {
     let centre = Kepler::new(2.5).unwrap();
     let start = PlanePhase { x: 1.0 - 0.8, y: 0.0, vx: 0.0, vy: (2.5_f64 * 1.8 / 0.2).sqrt() };
     let year = 2.0 * PI / 2.5_f64.sqrt();
@@ -267,7 +267,7 @@ fn varying_steps() -> Vec<Expected> {
     let mut keep = |_: u64, t: f64, z: PlanePhase| equal.push((t, z));
     integrate(&centre, &StormerVerlet, start, &grid, &mut keep);
     vec![
-        expect("energy error", "equal steps", so_far(&equal)),
+        expect("energy error", "fixed steps", so_far(&equal)),
         expect("energy error", "symmetric control", so_far(&symmetric)),
     ]
 }
@@ -305,7 +305,7 @@ fn compare(what: &str, chart: &Chart, label: &str, expected: &[&Expected]) {
 #[case("stencil_stormer_verlet", || stencil("stormer-verlet", 0.35))]
 #[case("stencil_rk4", stencil_rk4)]
 #[case("swings", swings)]
-#[case("varying_steps", varying_steps)]
+#[case("adaptive_steps", adaptive_steps)]
 fn a_figure_shows_what_the_library_computes(
     #[case] name: &str,
     #[case] expected: fn() -> Vec<Expected>,
@@ -335,14 +335,14 @@ fn a_figure_shows_what_the_library_computes(
 /// two of the runs exchanged.
 #[test]
 fn only_the_naive_control_drifts() {
-    let chart = &drawn("varying_steps").panels[0];
+    let chart = &drawn("adaptive_steps").panels[0];
     let so_far = |label: &str| {
         let series = chart.series.iter().find(|it| it.label == label).expect("a run");
         assert_eq!(series.points.len(), 1000);
         [100, 1000].map(|n| series.points[n - 1].1)
     };
     let [equal, naive, symmetric] =
-        ["equal steps", "naive control", "symmetric control"].map(so_far);
+        ["fixed steps", "naive control", "symmetric control"].map(so_far);
     assert!(naive[1] > 5.0 * naive[0], "{naive:?}");
     assert!(symmetric[1] < 1.0001 * symmetric[0] && equal[1] < 1.01 * equal[0], "{equal:?}");
     assert!(equal[1] > 40.0 * symmetric[1] && naive[1] > 10.0 * symmetric[1]);

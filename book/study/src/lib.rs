@@ -49,7 +49,7 @@ mod listings {
         small_angle: "../../src/small-angle.md",
         limits: "../../src/limits.md",
         higher_order: "../../src/higher-order.md",
-        varying_steps: "../../src/varying-steps.md",
+        adaptive_steps: "../../src/adaptive-steps.md",
         tolerance: "../../src/tolerance.md",
         other_systems: "../../src/other-systems.md",
         choosing: "../../src/choosing.md",

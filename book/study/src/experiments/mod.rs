@@ -4,6 +4,7 @@
 //! rows become tables and figures in [`report`](crate::report), and are compared with what the
 //! paper states in [`claims`](crate::claims).
 
+pub mod adaptive_steps;
 pub mod beyond;
 pub mod characteristics;
 pub mod choosing;
@@ -22,7 +23,6 @@ pub mod splitting;
 pub mod standard_map;
 pub mod tolerance;
 pub mod truncation;
-pub mod varying_steps;
 pub mod work;
 
 use pendula::metrics::EnergyDrift;

@@ -4,6 +4,7 @@
 //! right or wrong. Which answer is right is computed here, and so are the numbers to which usual
 //! mistakes lead. A question is known by its id, which begins with its chapter's name.
 
+mod adaptive_steps;
 mod choosing;
 mod exam;
 mod forward_euler;
@@ -22,7 +23,6 @@ mod small_angle;
 mod stormer_verlet;
 mod symplectic_euler;
 mod tolerance;
-mod varying_steps;
 
 /// What is right.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,7 @@ const CHAPTERS: &[&[(&str, Compute)]] = &[
     small_angle::QUESTIONS,
     limits::QUESTIONS,
     higher_order::QUESTIONS,
-    varying_steps::QUESTIONS,
+    adaptive_steps::QUESTIONS,
     tolerance::QUESTIONS,
     other_systems::QUESTIONS,
     choosing::QUESTIONS,

@@ -1,4 +1,4 @@
-//! Figures of steps that vary and of the systems beyond the simple pendulum.
+//! Figures of adaptive steps and of the systems beyond the simple pendulum.
 
 use core::f64::consts::{PI, SQRT_2};
 
@@ -8,27 +8,27 @@ use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use super::{named, phase_plane, style};
 use crate::charts::{Axis, Chart, Figure, Style};
 use crate::experiments::Study;
+use crate::experiments::adaptive_steps::{self, Control};
 use crate::experiments::beyond::{self, Boundary, Trial};
-use crate::experiments::varying_steps::{self, Control};
 
 /// How wide a plot is beside labels such as −1.5, in the units of its height.
 const WIDTH: f64 = 525.5;
 
 /// How far the energy of a planet has been off, with steps chosen in three ways.
-pub(super) fn varying_steps(_: &Study, figure: Figure) -> Figure {
-    let revolutions = f64::from(varying_steps::REVOLUTIONS);
+pub(super) fn adaptive_steps(_: &Study, figure: Figure) -> Figure {
+    let revolutions = f64::from(adaptive_steps::REVOLUTIONS);
     let chart = Chart::new(
         Axis::linear("revolutions").range(0.0, revolutions),
         Axis::log("largest energy error so far, as a part of the energy").range(1e-3, 1.0),
     )
     .height(260.0);
     let ways = [
-        ("equal steps", Control::Equal),
+        ("fixed steps", Control::Equal),
         ("naive control", Control::Naive),
         ("symmetric control", Control::Symmetric),
     ];
     figure.panel(ways.into_iter().enumerate().fold(chart, |chart, (i, (label, control))| {
-        let so_far = varying_steps::run(control).so_far.into_iter().zip(1_u32..);
+        let so_far = adaptive_steps::run(control).so_far.into_iter().zip(1_u32..);
         let line = so_far.map(|(error, n)| (f64::from(n), error));
         chart.series(label, Style::series(i + 1).line_only().solid(), line)
     }))

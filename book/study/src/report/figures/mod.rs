@@ -122,7 +122,7 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "truncation", draw: evidence::truncation },
     Drawing { name: "least_change", draw: evidence::least_change },
     Drawing { name: "widths", draw: evidence::widths },
-    Drawing { name: "varying_steps", draw: beyond::varying_steps },
+    Drawing { name: "adaptive_steps", draw: beyond::adaptive_steps },
     Drawing { name: "tolerance_error", draw: tolerance::error },
     Drawing { name: "tolerance_work", draw: tolerance::work },
     Drawing { name: "tolerance_outputs", draw: tolerance::outputs },

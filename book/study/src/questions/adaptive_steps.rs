@@ -1,4 +1,4 @@
-//! Questions of "Steps that vary".
+//! Questions of "Adaptive steps".
 
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
@@ -8,7 +8,7 @@ use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use super::{Compute, Truth};
 
 /// The chapter's questions.
-pub const QUESTIONS: &[(&str, Compute)] = &[("varying-steps-drift", drift)];
+pub const QUESTIONS: &[(&str, Compute)] = &[("adaptive-steps-drift", drift)];
 
 /// The revolutions after which the energy errors are looked at.
 const REVOLUTIONS: [f64; 2] = [100.0, 1000.0];
