@@ -56,6 +56,7 @@ const TYPED: &[Typed] = &[
     ("long-run", "to about 4 minutes.", "4", || energy_overtakes() / 4_f64.powi(5) / 60.0),
     ("long-run", "some 15 800:", "1.58e4", symplectic_euler_over_rk4),
     ("long-run", r"$1.6\cdot10^7$ s", "1.6e7", || 1000.0 * symplectic_euler_over_rk4()),
+    ("phase-space", "and the 13.8 comes from", "13.8", || truncation::exponent(1.0)),
     ("limits", "that is a step of 0.63855 s", "0.63855", || seconds(2.0)),
     ("limits", "good up to 0.63855 s", "0.63855", || seconds(2.0)),
     ("limits", "a step of 0.9030 s", "0.9030", || seconds(8_f64.sqrt())),
