@@ -69,7 +69,7 @@ LANDING, CHAPTER, INDEX = 200_000, 250_000, 330_000
 LAB = 105_000
 # What a reader comes to these chapters for: the points of driven pendulums, a picture of a report,
 # every published integrator and solver with the reports on its defects.
-MORE = {"other-systems.html": 13_000, "judging.html": 33_000, "others.html": 40_000}
+MORE = {"friction-and-drives.html": 13_000, "judging.html": 33_000, "others.html": 40_000}
 # The part of the screen that moves, times how far: https://web.dev/articles/cls calls 0.1 good.
 SHIFT = 0.02
 

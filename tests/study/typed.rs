@@ -96,7 +96,7 @@ const TYPED: &[Typed] = &[
     ("tolerance", "is 107 times the", "107", || of_the_library(0, 1e-6).error / 1e-6),
     ("tolerance", r"$9.3\cdot10^{-9}$: it", "9.3e-9", || 1e-12 / of_the_library(0, 1e-6).error),
     ("tolerance", r"is off by $9.6\cdot10^{-7}$", "9.6e-7", || of_the_library(0, 9.3e-9).error),
-    ("other-systems", r"$h \approx 0.38$ s", "0.38", || {
+    ("friction-and-drives", r"$h \approx 0.38$ s", "0.38", || {
         (144.0 * 0.05 / PAPER.frequency_squared().powi(3)).powf(0.2)
     }),
     ("judging", "for 159 methods; then", "159", || known_answers::methods().len() as f64),

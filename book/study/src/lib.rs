@@ -51,6 +51,7 @@ mod listings {
         higher_order: "../../src/higher-order.md",
         adaptive_steps: "../../src/adaptive-steps.md",
         tolerance: "../../src/tolerance.md",
+        friction_and_drives: "../../src/friction-and-drives.md",
         other_systems: "../../src/other-systems.md",
         choosing: "../../src/choosing.md",
         judging: "../../src/judging.md",

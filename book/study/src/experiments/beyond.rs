@@ -338,8 +338,8 @@ fn driven() -> [Row; 4] {
         ..row(quantity, Digits::Fixed(9), known, found.strength, "Taylor (2005), Table 12.1")
     };
     [
-        taylor("Driven: first period doubling, γ₁", 1.0663, first),
-        taylor("Driven: second period doubling, γ₂", 1.0793, second),
+        taylor("Driven: γ₁ of the first period doubling", 1.0663, first),
+        taylor("Driven: γ₂ of the second period doubling", 1.0793, second),
         row(
             "Driven: determinant of the monodromy matrix at γ₁",
             Digits::Fixed(8),
@@ -389,8 +389,8 @@ fn double_modes() -> [Row; 2] {
         square(swing_frequency(&double, 1e-5, shape).expect("a swing crosses the bottom"))
     });
     [
-        row("Double: slow mode, ω² L/g", Digits::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
-        row("Double: fast mode, ω² L/g", Digits::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
+        row("Double: ω² L/g of the slow mode", Digits::Fixed(6), 2.0 - SQRT_2, slow, "2 − √2"),
+        row("Double: ω² L/g of the fast mode", Digits::Fixed(6), 2.0 + SQRT_2, fast, "2 + √2"),
     ]
 }
 
@@ -398,7 +398,7 @@ fn kepler() -> Row {
     let centre = Kepler::new(1.0).expect("an attraction");
     let ellipse = Ellipse::new(&centre, 1.0, 0.5).expect("an ellipse");
     row(
-        "Kepler, e = 0.5: Störmer–Verlet's precession a revolution of 1000 steps (rad)",
+        "Kepler: precession per revolution of 1000 steps of Störmer–Verlet at e = 0.5 (rad)",
         Digits::Scientific(3),
         verlet_precession(&ellipse, ellipse.period() / FINE as f64),
         precession(&centre, &ellipse, FINE),

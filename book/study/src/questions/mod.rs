@@ -8,6 +8,7 @@ mod adaptive_steps;
 mod choosing;
 mod exam;
 mod forward_euler;
+mod friction_and_drives;
 mod higher_order;
 mod introduction;
 mod judging;
@@ -117,6 +118,7 @@ const CHAPTERS: &[&[(&str, Compute)]] = &[
     higher_order::QUESTIONS,
     adaptive_steps::QUESTIONS,
     tolerance::QUESTIONS,
+    friction_and_drives::QUESTIONS,
     other_systems::QUESTIONS,
     choosing::QUESTIONS,
     judging::QUESTIONS,
