@@ -8,6 +8,7 @@ use pendula::{
 use pendula_judge::properties::ORDER;
 use rstest::rstest;
 
+// ANCHOR: halving
 /// Halving the step divides the error by 2ᵖ, where p is the order beside each method.
 ///
 /// The next term of the error is at most x = ω₀²hT/2 of the first, for forward Euler, whose error
@@ -40,6 +41,7 @@ fn halving_the_step_shows_the_order(
     }
     Ok(())
 }
+// ANCHOR_END: halving
 
 /// On the ladder of `properties/order.rs` each slope between two steps whose errors are
 /// above rounding is the order, within 0.05: the next term of the error is at most 1/30 of the
