@@ -244,6 +244,16 @@ mod tests {
         }
     }
 
+    /// Catches: an anchor that a reader of the file sees, as a block of code of its own.
+    #[test]
+    fn a_page_has_no_anchors() {
+        let source = "// ANCHOR: one\n#[test]\nfn a() {}\n// ANCHOR_END: one\n";
+        let tests = Tests::from_sources([("order", source)]).unwrap();
+        let page = page::of(&tests.files[0]);
+        assert!(page.contains("fn a() {}") && !page.contains("ANCHOR"), "{page}");
+        assert_eq!(page.matches("rust,source").count(), 1, "{page}");
+    }
+
     /// Catches: two tests under one id, of which links reach only the first.
     #[test]
     fn two_tests_of_one_name_are_refused() {

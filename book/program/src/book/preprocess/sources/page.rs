@@ -67,7 +67,9 @@ fn header(source: &str) -> (String, usize) {
 
 /// The lines as a code block, unless they are blank or only close the block around a test.
 fn push_code(page: &mut String, lines: &[&str]) {
-    let code = lines.join("\n");
+    // What a chapter includes is between anchors, which a reader of the file need not see.
+    let is_code = |line: &&&str| !line.trim_start().starts_with("// ANCHOR");
+    let code = lines.iter().filter(is_code).copied().collect::<Vec<_>>().join("\n");
     if code.chars().all(|c| c.is_whitespace() || "})];,".contains(c)) {
         return;
     }
