@@ -1,4 +1,4 @@
-//! Steps that vary, other systems, and the arithmetic below.
+//! Adaptive steps, other systems, and the arithmetic below.
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
 use pendula::arithmetic::double_double::DoubleDouble;
@@ -12,7 +12,7 @@ use pendula::{
 use super::*;
 
 // -------------------------------------------------------------------------------------------------
-// Steps that vary
+// Adaptive steps
 // -------------------------------------------------------------------------------------------------
 
 pub fn adaptive_steps(any: &mut Any, tally: &mut Tally) {
