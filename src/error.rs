@@ -99,8 +99,8 @@ impl fmt::Display for Error {
             ),
             Self::OutOfSteps { t, limit } => write!(
                 f,
-                "{limit} steps were not enough, and the run came only to {t:?} s. Allow more steps, \
-                 a larger tolerance or a shorter run"
+                "{limit} steps were not enough, and the run came only to {t:?} s. Allow more \
+                 steps, a larger tolerance or a shorter run"
             ),
             Self::UndefinedEvent { index, t } => write!(
                 f,
@@ -109,8 +109,8 @@ impl fmt::Display for Error {
             ),
             Self::NotSolved { n, step, sweeps, change } => write!(
                 f,
-                "the equations of a step of {step:?} s were not solved after {n} steps: the last of \
-                 {sweeps} iterations still changed it by {change:.1e} of its size. Take a shorter \
+                "the equations of a step of {step:?} s were not solved after {n} steps: the last \
+                 of {sweeps} iterations still changed it by {change:.1e} of its size. Take a shorter \
                  step, well below the time in which the state changes by its own size"
             ),
         }

@@ -83,7 +83,7 @@ fn every_chapter_names_its_tests_and_sets_exercises() {
     let texts = chapters();
     for name in in_order(&texts) {
         let text = text_of(&texts, &name);
-        assert!(text.contains("{{test "), "{name} names no test");
+        assert!(text.contains("{{test"), "{name} names no test");
         let exercises = section(text, "Exercises");
         for number in ["\n1. ", "\n2. "] {
             assert!(exercises.contains(number), "{name}: fewer than two exercises");

@@ -126,7 +126,8 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
     if let Some(name) = &arguments.device {
         if matches!(theta0, Sweep::One(_)) {
             return Err(Failure::refused(
-                "--device needs a range for --theta0, because a device takes the same steps from many angles",
+                "--device needs a range for --theta0, because a device takes the same steps from \
+                 many angles",
             ));
         }
         device = Device::named(name).map_err(Failure::refused)?;
@@ -332,8 +333,8 @@ impl Printer<'_> {
         }
         Err(self.runner.not_solved(run).unwrap_or_else(|| {
             Failure::Failed(anyhow::anyhow!(
-                "the trajectory from {theta0:?} rad with Δt = {dt:?} s leaves the range of numbers. \
-                 Take a smaller step"
+                "the trajectory from {theta0:?} rad with Δt = {dt:?} s leaves the range of \
+                 numbers. Take a smaller step"
             ))
         }))
     }
