@@ -9,7 +9,7 @@ use pendula_judge::properties::ORDER;
 use rstest::rstest;
 
 // ANCHOR: halving
-/// Halving the step divides the error by 2ᵖ, where p is the order beside each method.
+/// Halving the step divides the error by 2ᵖ, where p is the order next to each method.
 ///
 /// The next term of the error is at most x = ω₀²hT/2 of the first, for forward Euler, whose error
 /// grows like eˣ, and less for the others; it bends the slope by at most x / (2 ln 2). Rounding,
