@@ -35,7 +35,7 @@ fn each_question_has_one_right_answer() {
 #[test]
 fn what_a_reader_may_have_computed_counts_and_what_is_wrong_does_not() {
     use core::f64::consts::{LN_2, LN_10, PI};
-    let answers: [(&str, &[f64], &[f64]); 12] = [
+    let answers: [(&str, &[f64], &[f64]); 13] = [
         ("pendulum-longer-rod", &[0.02], &[0.019, 0.021]),
         // With 9.81, π² and 10 m/s² for g; in one digit.
         (
@@ -51,6 +51,8 @@ fn what_a_reader_may_have_computed_counts_and_what_is_wrong_does_not() {
         ("limits-longest-step", &[2.0 / PI, 0.64], &[0.6, 0.65, 0.7]),
         // With 3.13 and with 3 rad/s for ω₀.
         ("limits-ten-times-nearer", &[LN_10 / 3.13, LN_10 / 3.0], &[0.65, 0.8]),
+        // With 9.81 and 10 m/s² for g; in two digits.
+        ("friction-and-drives-upright", &[14.1, 14.24, 14.0], &[13.5, 14.8]),
         ("choosing-longer", &[1000.0], &[950.0, 1050.0]),
         // 4⁵ is 1024.
         ("exam-thousand-times", &[3.98, 4.0], &[3.8, 4.1]),
