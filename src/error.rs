@@ -110,8 +110,8 @@ impl fmt::Display for Error {
             Self::NotSolved { n, step, sweeps, change } => write!(
                 f,
                 "the equations of a step of {step:?} s were not solved after {n} steps: the last \
-                 of {sweeps} iterations still changed it by {change:.1e} of its size. Take a shorter \
-                 step, well below the time in which the state changes by its own size"
+                 of {sweeps} iterations still changed it by {change:.1e} of its size. Take a \
+                 shorter step, well below the time in which the state changes by its own size"
             ),
         }
     }

@@ -121,9 +121,9 @@ def test_every_page(tab, book):
 
 
 def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
-    """What is wrong with the print page, out of a dark theme: every chapter that is printed from its
-    title to its last words and no other, nothing folded, nothing beyond the edge of the sheet, and
-    ink that shows."""
+    """What is wrong with the print page, out of a dark theme: every chapter that is printed, from
+    its title to its last words, and no other; nothing folded, nothing beyond the edge of the sheet,
+    and ink that shows."""
     tab.screen(SHEET)
     tab.page.emulate_media(media="print")
     tab.open("print.html")

@@ -67,8 +67,8 @@ fn report(id: &str, text: &str) -> Option<String> {
     }
     // Where a link to it leads, a browser unfolds it.
     Some(format!(
-        "<details class=\"defect\">\n<summary>{library}: {title}</summary>\n\n<a id=\"{id}\"></a>\n{body}\n\
-         </details>\n\n"
+        "<details class=\"defect\">\n<summary>{library}: {title}</summary>\n\n\
+         <a id=\"{id}\"></a>\n{body}\n</details>\n\n"
     ))
 }
 

@@ -118,7 +118,8 @@ fn sweep_until(arguments: &SweepArguments, streams: Streams<'_>) -> Result<(), F
     let pendulum = arguments.pendulum.pendulum(mass).map_err(Failure::refused)?;
     if format == RowFormat::Json && part.is_some() {
         return Err(Failure::refused(
-            "--part needs --format csv, because several JSON arrays one after the other are not an array",
+            "--part needs --format csv, because several JSON arrays one after the other are not an \
+             array",
         ));
     }
     let mut runner = Runner::new(&arguments.method, pendulum, omega0)?;
