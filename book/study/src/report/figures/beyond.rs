@@ -64,7 +64,7 @@ pub(super) fn separation(_: &Study, figure: Figure) -> Figure {
     figure.panel(chart)
 }
 
-/// Where a shaken pendulum stands on its head.
+/// Where a shaken pendulum stays upright.
 pub(super) fn kapitza(_: &Study, figure: Figure) -> Figure {
     // Each curve from beyond one edge of the chart to beyond another.
     let curve = |boundary, from: f64| {
