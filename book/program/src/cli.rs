@@ -26,9 +26,9 @@ struct Cli {
 
 /// What the program does.
 const ABOUT: &str = if cfg!(feature = "book") {
-    "Numerical integrators on the pendulum: verify yours, build the book about ours, simulate"
+    "Numerical integrators on the pendulum: test your own, build the book, simulate"
 } else {
-    "Numerical integrators on the pendulum: verify yours, simulate with ours"
+    "Numerical integrators on the pendulum: test your own, simulate"
 };
 
 /// What scripts want to know, and the names of the commands that the help does not list.
@@ -37,7 +37,8 @@ fn after_help(command: &clap::Command) -> String {
     let further: Vec<_> = further.map(clap::Command::get_name).collect();
     format!(
         "`pendula COMMAND --help` has examples. Further commands: {}\n\n\
-         Exit status: 0 if all is well, 1 if the answer is no, 2 if a request is refused or fails",
+         Exit status: 0 if all is well, 1 if the answer is no, 2 if something is wrong with the \
+         input or fails",
         further.join(", ")
     )
 }
@@ -50,15 +51,15 @@ pub enum Command {
     #[cfg(feature = "book")]
     #[command(flatten)]
     Study(crate::commands::study::Command),
-    /// Judge any program by what is claimed of it; exit status 1 if a claim fails, 2 if the program
-    /// cannot be judged
+    /// Test whether an integrator, in any language, does what is claimed of it; exit status 1 if a
+    /// claim fails, 2 if the program can't be tested
     #[command(display_order = 2, after_help = examples(&[
         "pendula verify --claims \"order=2 symplectic\" -- pendula serve stormer-verlet",
         "pendula verify --claims \"order=8 estimate=8 crossings\" -- pendula serve dop853",
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),
-    /// Integrate, and print rows of t, theta, omega, energy
+    /// Integrate the motion, and print rows of t, theta, omega, energy
     #[command(display_order = 4, after_help = examples(&[
         "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
         "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",
@@ -75,19 +76,20 @@ pub enum Command {
         "pendula exact --theta0 0 --omega0 7 --t 1 --format json",
     ]))]
     Exact(exact::Arguments),
-    /// Integrate from many starts, or with many steps, and print where each ends
+    /// Integrate from many starts, or with many step sizes, and print where each run ends
     #[command(display_order = 6, after_help = examples(&[
         "pendula sweep --method rk4 --theta0 0.1:3.1:31 --dt 0.01 --duration 10",
         "pendula sweep --method rk4 --theta0 pi/3 --dt 0.1:0.001:9 --duration 9 --plot -",
     ]))]
     Sweep(Box<sweep::Arguments>),
-    /// Print the methods: order, what each preserves, what a step costs, and its place in the book
+    /// List the methods: their order, what each preserves, what a step costs, and where the book
+    /// explains it
     #[command(display_order = 7, after_help = examples(&[
         "pendula methods",
         "pendula methods --format csv > methods.csv",
     ]))]
     Methods(methods::Arguments),
-    /// Serve a method on standard input and output, as a program that `pendula verify` can judge
+    /// Offer a method on standard input and output, as a program that `pendula verify` can test
     #[command(hide = true, after_help = examples(&[
         "pendula verify -- pendula serve rk4",
     ]))]

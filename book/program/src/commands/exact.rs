@@ -106,13 +106,13 @@ fn described(motion: &Motion, theta0: f64, omega0: f64) -> String {
             let turns = ((theta0 + other) / (2.0 * TAU)).round();
             let about = match turns.abs() {
                 0.0 => return format!("libration between {theta0:?} rad and {other:?} rad"),
-                1.0 => "1 turn".to_owned(),
-                more => format!("{more:.0} turns"),
+                1.0 => "one full turn".to_owned(),
+                more => format!("{more:.0} full turns"),
             };
-            let way = if turns > 0.0 { "on" } else { "back" };
+            let sign = if turns > 0.0 { "" } else { "minus " };
             format!(
-                "libration between {theta0:?} rad and {other:?} rad, about the lowest point \
-                 {about} {way}"
+                "libration between {theta0:?} rad and {other:?} rad, around the lowest point at \
+                 {sign}{about}"
             )
         }
         (MotionKind::Libration, _) => "libration".to_owned(),

@@ -22,34 +22,34 @@ use crate::verify::page;
 /// Arguments of `pendula verify`.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The claims, separated by spaces: order=P; of equal steps, symplectic, symmetric,
-    /// evaluations=N (per step), bounded-energy, name=METHOD; of a solver with a tolerance,
-    /// estimate=Q, free-outputs, crossings
+    /// The claims, separated by spaces. For any integrator: order=P. For one with fixed steps:
+    /// symplectic, symmetric, evaluations=N (per step), bounded-energy, name=METHOD. For a solver
+    /// with a tolerance: estimate=Q, free-outputs, crossings
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
-    /// How long to wait for each answer (s); the limit for all answers is 120 times as long, for
-    /// equal steps and for a solver each
+    /// How long to wait for each answer (s). The limit for all answers together is 120 times as
+    /// long, once for fixed steps and once for a solver
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number)]
     patience: f64,
     /// How the report is printed
     #[arg(long, value_enum, default_value_t)]
     format: ReportFormat,
-    /// Exit with status 0 unless a claim fails, even if one could not be measured or decided
+    /// Exit with status 0 unless a claim fails, even if a claim couldn't be measured or decided
     #[arg(long)]
     lenient: bool,
-    /// Ask on standard output, and be answered on standard input, by whoever has started this: for
-    /// a wrapper in another language. Behind bye comes the report
+    /// Talk to the parent process over standard output and input, for a wrapper in another
+    /// language. The report follows after bye
     #[arg(long, conflicts_with_all = ["program", "example"])]
     stdio: bool,
-    /// Also write the report, with its figures, to this file, as a page to read offline
+    /// Also write the report with its figures to this file, as a page that can be read offline
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Print an example program in this language, and judge nothing
+    /// Print an example program in this language, and test nothing
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     #[arg(conflicts_with_all = ["claims", "patience", "format", "lenient", "report", "program"])]
     example: Option<Language>,
-    /// The program to be judged, and its arguments. It may know pendulum, solve, or both; if both,
-    /// it is started once for each
+    /// The program to test, and its arguments. It may answer the request pendulum, solve, or both;
+    /// if both, it is started once for each
     #[arg(last = true, required_unless_present_any = ["example", "stdio"], value_name = "PROGRAM")]
     program: Vec<OsString>,
 }

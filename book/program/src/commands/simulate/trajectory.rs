@@ -34,10 +34,10 @@ pub struct TrajectoryArguments {
     /// How rows are printed
     #[arg(long, value_enum, default_value_t)]
     pub format: RowFormat,
-    /// Write to this file, which appears only when it is complete
+    /// Write the rows to this file, which appears only when it is complete
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Say on standard error what the run cost, and how large its errors are
+    /// Print to standard error what the run cost, and how large its errors are
     #[arg(long)]
     pub summary: bool,
     /// Where it is drawn.
@@ -52,8 +52,8 @@ struct Stepping {
     /// Step Δt (s)
     #[arg(long, value_name = "S", value_parser = number)]
     dt: Option<f64>,
-    /// Instead of --dt: steps that follow the motion, each with at most this error, absolute (rad,
-    /// rad/s) and relative; a row for each step
+    /// Instead of --dt: adaptive steps, with an estimated error of at most this in each, absolute
+    /// (rad, rad/s) and relative. There is a row for each step
     #[arg(long, value_name = "E", value_parser = number, conflicts_with = "steps")]
     tolerance: Option<f64>,
 }
@@ -62,8 +62,8 @@ struct Stepping {
 #[derive(Args, Debug)]
 #[group(id = "extent", required = true, multiple = false)]
 struct Length {
-    /// Duration (s): with --dt a whole number of steps; with --tolerance any, and backwards in time
-    /// if negative
+    /// Duration (s). With --dt it has to be a whole number of steps; with --tolerance it may be
+    /// any, and the run goes backwards in time if it is negative
     #[arg(long, value_name = "S", value_parser = number)]
     duration: Option<f64>,
     /// Number of steps

@@ -33,10 +33,10 @@ pub enum Command {
         "pendula review --format markdown",
     ]))]
     Review(review::Arguments),
-    /// Print the paper beside what was measured: its tables, and all of its claims
+    /// Compare the paper with what was measured: its tables, and all of its claims
     #[command(subcommand, arg_required_else_help = false, display_order = 8)]
     Paper(Paper),
-    /// Measure run time against error on this machine, and print it; the book then shows it
+    /// Measure run time against error on this machine, and print it; the book shows it from then on
     #[command(display_order = 9, after_help = examples(&[
         "pendula bench --seconds 1 --output .",
     ]))]

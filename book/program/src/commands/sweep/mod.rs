@@ -77,7 +77,7 @@ struct SweepArguments {
     /// Write to this file, which appears only when it is complete
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Say on standard error what the runs cost, and how large their errors are
+    /// Print to standard error what the runs cost, and how large their errors are
     #[arg(long)]
     summary: bool,
     #[command(flatten)]

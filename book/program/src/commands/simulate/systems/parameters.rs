@@ -110,7 +110,7 @@ impl Args for SystemArguments {
         let system = Arg::new("system")
             .long("system")
             .value_name("S")
-            .help("What is integrated")
+            .help("The system to integrate")
             .value_parser(PossibleValuesParser::new(named))
             .default_value(SYSTEMS[0].name());
         command.arg(system).args(parameters().map(Parameter::option))
