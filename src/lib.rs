@@ -121,6 +121,7 @@ pub use systems::{
 #[doc(hidden)]
 pub mod internals {
     pub use crate::adaptive::control::Controller;
-    pub use crate::adaptive::series::{exp2, log2, order};
+    pub use crate::adaptive::series::order;
+    pub use crate::arithmetic::rough::{exp2, log2};
     pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
 }

@@ -37,7 +37,7 @@ def printed(*words):
 
 def exact_ends():
     """Of each scene and of each pendulum of the ensemble: start, duration, angle, velocity."""
-    crate = ["--quiet", "--profile", "peers", "-p", "pendula-peers"]
+    crate = ["--quiet", "--release", "--manifest-path", "benches/peers/Cargo.toml"]
     ends = {"scene": [], "ensemble": []}
     for kind, *numbers in printed("cargo", "run", *crate, "--", "ends"):
         ends[kind].append([float(x) for x in numbers])

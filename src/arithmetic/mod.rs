@@ -17,6 +17,7 @@ pub(crate) mod fixed;
 pub mod lanes;
 #[doc(hidden)]
 pub mod number;
+pub(crate) mod rough;
 pub mod sine;
 
 /// Calls `f`, which is `#[inline(always)]`, in code for AVX2 where the processor has it, so that

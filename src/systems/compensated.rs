@@ -4,8 +4,8 @@ use core::ops::Add;
 
 use crate::arithmetic::double_double::two_sum;
 use crate::systems::{
-    Analytic, Components, ForceGradient, Hamiltonian, MeanForce, NearlyLinear, Phase, Processor,
-    RateOf, Separable, State, System,
+    Analytic, Components, ForceGradient, Hamiltonian, Majorant, MeanForce, NearlyLinear, Phase,
+    Processor, RateOf, Separable, State, System,
 };
 
 /// A wrapper: the same system, with a state that carries its rounding errors, so that every method
@@ -119,7 +119,7 @@ impl<S: Hamiltonian<State = Phase>> Hamiltonian for Compensated<S> {
 }
 
 impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
-    #[inline]
+    #[inline(always)]
     fn terms<const P: usize>(&self, h: f64, z: CompensatedPhase) -> [Phase; P] {
         self.system.terms::<P>(h, z.phase)
     }
@@ -127,6 +127,11 @@ impl<S: Analytic<State = Phase>> Analytic for Compensated<S> {
     #[inline]
     fn mean_rate<const P: usize>(&self, h: f64, z: CompensatedPhase) -> Phase {
         self.system.mean_rate::<P>(h, z.phase)
+    }
+
+    #[inline(always)]
+    fn majorant(&self, z: CompensatedPhase) -> Option<Majorant<Phase>> {
+        self.system.majorant(z.phase)
     }
 }
 

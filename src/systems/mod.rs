@@ -82,12 +82,13 @@ mod list;
 mod mean_force;
 mod nearly_linear;
 mod pendulum;
+mod pendulum_majorant;
 mod pendulum_series;
 mod shaken;
 mod state;
 mod system;
 
-pub use analytic::Analytic;
+pub use analytic::{Analytic, Majorant};
 pub use array::{Array, ArrayPhase};
 pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;

@@ -1,8 +1,7 @@
 //! The library and other crates, in one run, compared with the naive loop.
 //!
-//! `cargo run --profile peers -p pendula-peers` compares run time, and with `-- ends` it prints the
-//! exact motion for `others.py`, which compares programs that are no crates. The profile optimises
-//! the dependencies of the crates; the release build does not.
+//! `cargo run --release --manifest-path benches/peers/Cargo.toml` compares run time. With `-- ends`
+//! it prints the exact motion for `others.py`, which compares programs that are no crates.
 //!
 //! The front of run time against error is the shortest time in which each program reaches a given
 //! error, on three scenes.
@@ -24,14 +23,15 @@ use std::hint::black_box;
 use std::process::ExitCode;
 
 use pendula::adaptive::{Adaptive, TaylorSeries, Tolerance};
-use pendula::methods::{BlanesMoan6, Taylor24};
+use pendula::methods::{BlanesMoan6, Dop853, Taylor24};
 use pendula::metrics::EndError;
+use pendula::systems::FromRate;
 use pendula::{
     AnyMethod, Compensated, CompensatedPhase, Grid, METHODS, Method, Motion, Pendulum, Phase,
-    Taylor, integrate,
+    integrate,
 };
 
-use crates::{CONTROLLED, NOWHERE, STEPPED};
+use crates::{CONTROLLED, Controlled, NOWHERE, STEPPED};
 use machine::{instructions, seconds};
 use naive::NAIVE;
 
@@ -77,20 +77,6 @@ const BEHIND: f64 = 40.0;
 /// The number of the library's methods that are shown, the fastest ones.
 const SHOWN: usize = 3;
 
-/// The name of [`taylor`] in the table.
-const TAYLOR: &str = "Taylor, order and steps that suit";
-
-/// The distance (s) from any time to the nearest singularity of θ, times √(ω² + g/L), is at least
-/// this, whatever the motion.
-///
-/// With g/L = 1 and t = 0 at the bottom, ω = 2k cn(t) on a swing. The poles of cn are iK' above and
-/// below each pass through the bottom, and nothing else makes θ singular. So the product is
-/// √(t² + K'²) √(4k² cn² t + 1), where |t| ≤ K. It is least, 2.5236, on a swing of 1.65 rad at t =
-/// 1.59. On the separatrix it comes down to 2.83; in a rotation, where ω = 2/k dn(t/k), it is more;
-/// in small swings and fast rotations it grows without bound. The library's test
-/// `no_singularity_is_nearer_than_the_velocity_allows` computes it.
-const RADIUS: f64 = 2.52;
-
 /// The longest step (s), and k of the shortest, a divisor of the duration times 2⁻ᵏ.
 const LONGEST: f64 = 0.5;
 const FINEST: u32 = 16;
@@ -134,6 +120,8 @@ struct Contender {
 enum Kind {
     Naive,
     Library,
+    /// The library, which knows nothing but the rate.
+    Closure,
     Crate,
 }
 
@@ -212,41 +200,30 @@ where
     })
 }
 
-/// The series with the order and the steps that suit a tolerance ε, from `theta_0`.
-///
-/// The order is that of the library's [`TaylorSeries`], −ln ε + 2, rounded up to a multiple of 4;
-/// beyond 24 the steps get shorter instead. That series reads the step off its last powers, which
-/// takes as long as half of its powers. Here the caller knows that it is a pendulum: its radius of
-/// convergence is at least [`RADIUS`]/√(ω² + g/L), on every motion. A step is the share ε^(1/P) of
-/// that, so that what is left out of it is about ε.
-fn taylor(theta_0: f64, end: f64, tolerance: f64) -> Phase {
-    let powers = 2.0 - tolerance.ln();
-    match (powers / 4.0).ceil() as u32 {
-        ..=3 => in_steps_that_follow(Taylor::<12>, 12, theta_0, end, tolerance),
-        4 => in_steps_that_follow(Taylor::<16>, 16, theta_0, end, tolerance),
-        5 => in_steps_that_follow(Taylor::<20>, 20, theta_0, end, tolerance),
-        _ => in_steps_that_follow(Taylor::<24>, 24, theta_0, end, tolerance),
-    }
+/// The Taylor series with compensated sums.
+fn series(start: Phase, end: f64, tolerance: f64) -> Phase {
+    // The library refuses the finest.
+    let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
+    let (adaptive, system) =
+        (Adaptive::new(TaylorSeries, tolerance), Compensated::new(Pendulum::PAPER));
+    let run = adaptive.integrate(&system, CompensatedPhase::from(start), 0.0, end, &mut ());
+    run.map_or(NOWHERE, |(z, _)| z.phase)
 }
 
-fn in_steps_that_follow<M>(method: M, order: u32, theta_0: f64, end: f64, tolerance: f64) -> Phase
-where
-    M: Method<Compensated<Pendulum>, Carry = ()>,
-{
-    let pendulum = Pendulum::PAPER;
-    let system = Compensated::new(pendulum);
-    let share = RADIUS * tolerance.powf(1.0 / f64::from(order));
-    let (mut z, mut t) = (CompensatedPhase::from(Phase::at_rest(theta_0)), 0.0);
-    while t < end {
-        let omega = z.phase.omega;
-        let step = share / (omega * omega + pendulum.frequency_squared()).sqrt();
-        // The difference of two times is exact, so that a step is as long as it is said to be.
-        let next = f64::min(t + step, end);
-        z = method.step(&system, t, next - t, z, &mut ());
-        t = next;
-    }
-    z.phase
+/// DOP853 of a system of which the library knows as much as the other crates do: its rate.
+fn of_closure(start: Phase, end: f64, tolerance: f64) -> Phase {
+    let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
+    let system =
+        FromRate::new(|_t, z: Phase| Phase { theta: z.omega, omega: -9.81 * z.theta.sin() });
+    let run = Adaptive::new(Dop853, tolerance).integrate(&system, start, 0.0, end, &mut ());
+    run.map_or(NOWHERE, |(z, _)| z)
 }
+
+/// What a user of the library calls with a tolerance.
+const OURS: [(&str, Kind, Controlled); 2] = [
+    ("Taylor series, compensated", Kind::Library, series),
+    ("Dop853 on a closure", Kind::Closure, of_closure),
+];
 
 /// Four to a decade.
 fn tolerances() -> impl Iterator<Item = f64> {
@@ -263,19 +240,11 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     all.extend(METHODS.iter().map(|method| of_library(*method, theta_0, &steps)));
     all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
     all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
-    all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));
     let end = f64::from(end);
-    all.push(Contender::of_tolerances(TAYLOR, Kind::Library, move |tolerance| {
-        taylor(black_box(theta_0), black_box(end), tolerance)
-    }));
-    all.push(Contender::of_tolerances("Taylor series", Kind::Library, move |tolerance| {
-        // The library refuses the finest.
-        let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
-        let adaptive = Adaptive::new(TaylorSeries, tolerance);
-        let start = black_box(start);
-        let run = adaptive.integrate(&Pendulum::PAPER, start, 0.0, black_box(end), &mut ());
-        run.map_or(NOWHERE, |(z, _)| z)
-    }));
+    for (name, kind, run) in OURS {
+        let run = move |tolerance| run(black_box(start), black_box(end), tolerance);
+        all.push(Contender::of_tolerances(name, kind, run));
+    }
     for (method, name, run) in STEPPED {
         let run = move |count, length| run(black_box(start), count, length);
         let name = format!("{name} {method}");
