@@ -28,7 +28,7 @@ use pendula::metrics::EndError;
 use pendula::systems::FromRate;
 use pendula::{
     AnyMethod, Compensated, CompensatedPhase, Grid, METHODS, Method, Motion, Pendulum, Phase,
-    integrate,
+    Taylor, integrate,
 };
 
 use crates::{CONTROLLED, Controlled, NOWHERE, STEPPED};
@@ -240,6 +240,7 @@ fn contenders(theta_0: f64, end: u32) -> Vec<Contender> {
     all.extend(METHODS.iter().map(|method| of_library(*method, theta_0, &steps)));
     all.push(compensated("blanes-moan-6", BlanesMoan6, theta_0, &steps));
     all.push(compensated("taylor-24", Taylor24, theta_0, &steps));
+    all.push(compensated("Taylor<30>", Taylor::<30>, theta_0, &steps));
     let end = f64::from(end);
     for (name, kind, run) in OURS {
         let run = move |tolerance| run(black_box(start), black_box(end), tolerance);
