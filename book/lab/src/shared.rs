@@ -7,8 +7,8 @@ use core::ops::{Add, Mul};
 
 use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
 use pendula::systems::{
-    Analytic, Components, DoublePhase, Driven, ForceGradient, Majorant, MeanForce, NearlyLinear,
-    Processor, Shaken, State, Vector,
+    Analytic, Components, DoublePhase, Driven, ForceGradient, MeanForce, NearlyLinear, Processor,
+    Shaken, State, Vector,
 };
 use pendula::{Counting, Damped, DoublePendulum, Phase, RateOf, Separable, System};
 
@@ -262,13 +262,6 @@ impl Analytic for Shared {
     fn mean_rate<const P: usize>(&self, h: f64, z: SharedState) -> RateOf<Self> {
         let (system, z) = self.plain(z);
         By(S(system.mean_rate::<P>(h, z)))
-    }
-
-    #[inline(never)]
-    fn majorant(&self, z: SharedState) -> Option<Majorant<RateOf<Self>>> {
-        let (system, z) = self.plain(z);
-        let Majorant { radius, size } = system.majorant(z)?;
-        Some(Majorant { radius, size: By(S(size)) })
     }
 }
 

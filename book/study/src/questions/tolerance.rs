@@ -15,7 +15,7 @@ fn end() -> Truth {
     Truth::Which(vec![
         ("below", largest < 1.0),
         ("alike", least > 1.0 && largest < 3.0 * least),
-        ("own", least > 1.0 && largest > 10.0 * least),
+        ("own", largest > 1.0 && largest > 10.0 * least),
     ])
 }
 
