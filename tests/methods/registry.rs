@@ -140,7 +140,7 @@ fn the_documentation_lists_what_the_entries_say() {
     let stale: Vec<&str> = now.lines().filter(|line| !written.contains(line)).collect();
     assert!(
         written == now,
-        "{} is stale: `INSTA_UPDATE=always cargo test registry` writes it. Not in it: {stale:#?}",
+        "{} is stale: `.ci/after` writes it. Not in it: {stale:#?}",
         path.display()
     );
 }

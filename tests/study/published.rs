@@ -101,7 +101,7 @@ fn solvers_are_counted_as_they_are() {
     let (holding, failing) = (with(Outcome::Holds), with(Outcome::Fails));
     let documented = with(Outcome::Documented);
     for (path, said) in [
-        ("README.md", format!("and {solvers} solvers from {libraries}.")),
+        ("README.md", format!("and {solvers} adaptive solvers from {libraries}.")),
         (
             "book/src/others.md",
             format!("{solvers} solvers of {libraries} libraries, in {languages} languages"),

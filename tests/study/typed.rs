@@ -34,7 +34,7 @@ const TYPED: &[Typed] = &[
     ("forward-euler", r"-9.81\sin 1 \approx -8.2548$", "-8.2548", || -9.81 * sin(1.0)),
     ("forward-euler", r"\approx e^{46.8}$", "46.8", || 500.0 * 1.0981_f64.ln()),
     ("rk4", "a step of 0.78 s", "0.78", || seconds(6_f64.sqrt())),
-    ("stormer-verlet", "At 2.745 rad it is zero", "2.745", true_period_of_stormer_verlet),
+    ("stormer-verlet", "2.745 rad, and beyond that", "2.745", true_period_of_stormer_verlet),
     ("methods", "up to 1.50 rad", "1.50", as_far_as_the_discrete_gradient),
     ("choosing", "Near 2.745 rad", "2.745", true_period_of_stormer_verlet),
     ("choosing", r"\approx 3.1\cdot10^{-4}$ s", "3.1e-4", step_to_a_millionth),
@@ -58,7 +58,7 @@ const TYPED: &[Typed] = &[
     ("long-run", r"$1.6\cdot10^7$ s", "1.6e7", || 1000.0 * symplectic_euler_over_rk4()),
     ("phase-space", "and the 13.8 comes from", "13.8", || truncation::exponent(1.0)),
     ("limits", "that is a step of 0.63855 s", "0.63855", || seconds(2.0)),
-    ("limits", "good up to 0.63855 s", "0.63855", || seconds(2.0)),
+    ("limits", "The number 0.63855 s is right", "0.63855", || seconds(2.0)),
     ("limits", "a step of 0.9030 s", "0.9030", || seconds(8_f64.sqrt())),
     ("limits", r"h = 0.3147\ \text{s", "0.3147", || standard_map::step(0.971635)),
     ("speed", r"it is $3.5\cdot10^{-13}$", "3.5e-13", || 0.5 * f64::EPSILON * 1e7_f64.sqrt()),
@@ -105,7 +105,7 @@ const TYPED: &[Typed] = &[
     ("judging", "one of 172 known mistakes", "172", || known_answers::mistakes().len() as f64),
     ("other-systems", "gives $0.0258$ rad", "0.0258", precession),
     ("other-systems", "itself turns by $0.0254$", "0.0254", precession_of_the_run),
-    ("other-systems", "once round in about 248", "248", || TAU / precession_of_the_run()),
+    ("other-systems", "full circle in about 250", "2.5e2", || TAU / precession_of_the_run()),
     ("speed", "up to 88 times as fast again", "88", || {
         let code = measured_row("scenes", |cells| cells[0] == "RK4, from 1 rad");
         let times = measured_rows("front").into_iter().filter(|cells| !cells[8].contains('*'));

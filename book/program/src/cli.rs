@@ -59,7 +59,7 @@ pub enum Command {
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),
-    /// Integrate the motion, and print rows of t, theta, omega, energy
+    /// Integrate a system, and print a row of each time and state
     #[command(display_order = 4, after_help = examples(&[
         "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
         "pendula simulate --method rk4 --theta0 170deg --dt 0.01 --duration 10 --plot -",

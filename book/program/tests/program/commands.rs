@@ -162,9 +162,12 @@ fn a_run_that_is_lost_after_its_last_row_is_refused() {
         (
             "simulate --system double-pendulum --method gauss-4 --theta1 2 --theta2 1 --dt 0.3 \
              --steps 9",
-            "the iteration of gauss-4 does not converge",
+            "gauss-4 did not converge in step",
         ),
-        ("simulate --method gauss-4 --theta0 3 --omega0 6 --dt 0.8 --steps 399", "not converge"),
+        (
+            "simulate --method gauss-4 --theta0 3 --omega0 6 --dt 0.8 --steps 399",
+            "did not converge in step",
+        ),
         (
             "simulate --system double-pendulum --theta1 10 --theta2 16 --omega2 20 --dt 2 \
              --steps 390",

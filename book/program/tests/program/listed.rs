@@ -148,10 +148,10 @@ fn claims_are_printed_that_were_asked_for() {
 #[test]
 fn what_no_claim_has_is_refused_with_what_is_near() {
     for (asked, because) in [
-        (&["T4.rk.0.01"][..], "near: T4.rk4.0.01"),
-        (&["t4.vv"], "near: T4.vv."),
-        (&["--section", "9"], "there are 1, 2, 3.1"),
-        (&["--table", "3.1"], "--table 3.1"),
+        (&["T4.rk.0.01"][..], "nearest names are T4.rk4.0.01"),
+        (&["t4.vv"], "nearest names are T4.vv."),
+        (&["--section", "9"], "There are claims of 1, 2, 3.1"),
+        (&["--table", "3.1"], "no claim of table 3.1"),
     ] {
         let line = claims(asked, TableFormat::Text).unwrap_err().line().unwrap();
         assert!(line.contains(because) && line.lines().count() == 1, "{line}");
