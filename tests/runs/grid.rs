@@ -242,7 +242,7 @@ fn the_steps_that_an_error_names_fit() {
         let step = duration * 10_f64.powf(random.between(-12.0, 1.0));
         let Err(error) = Grid::with_duration(step, duration) else { continue };
         let said = error.to_string();
-        let (_, fitting) = said.split_once("whole number of steps; ").unwrap();
+        let (_, fitting) = said.split_once("whole number of steps. ").unwrap();
         for word in fitting.split(' ') {
             if let Ok(fits) = word.parse() {
                 assert!(Grid::with_duration(fits, duration).is_ok(), "{error}");
