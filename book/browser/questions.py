@@ -26,7 +26,9 @@ ODD = [("", "Type a number"), ("about ten", "Type a number"), ("0x10", "Type a n
 PREPARE = """async () => {
     // What comes near the screen would be laid out then, and move what is below.
     const near = new CSSStyleSheet();
-    near.replaceSync('main > * { content-visibility: visible !important; }');
+    // After a leap upwards, which no reader makes, mdBook's bar is where the top of the screen was.
+    near.replaceSync('main > * { content-visibility: visible !important; }'
+        + '#mdbook-menu-bar { display: none !important; }');
     document.adoptedStyleSheets = [near];
     await document.fonts.ready;
     const main = document.querySelector('main');
