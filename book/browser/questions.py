@@ -315,7 +315,7 @@ def odd_numbers(question: Question):
 
 def test_what_shows_an_answer_is_folded(tab, book):
     """Catches: an output that answers the question above it before the reader has; one that stays
-    away after an answer, or that a link, a search or a reader without scripts cannot come to."""
+    away after an answer, on paper, without scripts, or when the reader asks for it."""
     without_labs(tab)
     count = 0
     for page in pages(book):
