@@ -61,13 +61,13 @@ fn what_is_kept_is_judged_as_its_rows_say() {
         let answers = answers.expect("the answers that are kept");
         let report = judge_solver(&Recorded::read(&answers), it.entry.claims.parse().unwrap());
         for finding in &report.findings {
-            let Some(row) = it.found.finding(finding.name) else {
-                other.push(format!("{name}: no row for {}", finding.name));
+            let Some(row) = it.found.finding(finding.property.name()) else {
+                other.push(format!("{name}: no row for {}", finding.property));
                 continue;
             };
             let said = match finding.verdict {
-                Verdict::NotMeasured => &finding.why,
-                _ => &finding.measured,
+                Verdict::NotMeasured => finding.why(),
+                _ => finding.measured(),
             };
             let claimed = finding.claimed.as_deref().unwrap_or_default();
             let numbers = row.values.len() == finding.values.len()
@@ -81,8 +81,9 @@ fn what_is_kept_is_judged_as_its_rows_say() {
                 other.push(format!("{name}: {row:?} was found, and now {finding:?}"));
             }
         }
-        if it.found.findings.len() != report.findings.len() || it.found.look_at != report.look_at {
-            other.push(format!("{name}: other rows, or another cause: {:?}", report.look_at));
+        if it.found.findings.len() != report.findings.len() || it.found.look_at != report.look_at()
+        {
+            other.push(format!("{name}: other rows, or another cause: {:?}", report.look_at()));
         }
     }
     let how = "`book/strangers/run --solvers --kept` writes these rows anew from the answers, and \

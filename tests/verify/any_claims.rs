@@ -6,8 +6,8 @@ use std::cell::Cell;
 use pendula::Phase;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula_judge::{
-    Chosen, Claims, Drive, Fault, FromFn, Reply, Report, Request, Stranger, Verdict, judge,
-    try_judge,
+    Chosen, Claims, Drive, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict,
+    judge, try_judge,
 };
 use rstest::rstest;
 
@@ -121,18 +121,18 @@ fn a_judgement_ends_whatever_is_claimed(#[case] stranger: Box<dyn Stranger>) {
 fn a_wrong_claim_fails_however_wrong_it_is() {
     for order in [0, 1] {
         let report = judged(&StormerVerlet, &Claims::order(order));
-        let found = report.finding("order").expect("it is claimed");
-        assert_eq!(found.why, format!("better: 2, not {order}"), "{report}");
+        let found = report.finding(Property::Order).expect("it is claimed");
+        assert_eq!(found.why(), format!("better: 2, not {order}"), "{report}");
         assert_eq!(report.verdict, Verdict::Holds, "{report}");
     }
     for order in [3, 258, 99_999, u32::MAX] {
         let report = judged(&StormerVerlet, &Claims::order(order));
-        let failures: Vec<&str> = report.failures().collect();
-        assert!(failures.contains(&"order"), "{order}: {report}");
+        let failures: Vec<Property> = report.failures().collect();
+        assert!(failures.contains(&Property::Order), "{order}: {report}");
     }
     for a_step in [0, 2, u64::MAX] {
         let report = judged(&StormerVerlet, &Claims::order(2).evaluations(a_step));
-        assert!(report.failures().eq(["evaluations"]), "{a_step}: {report}");
+        assert!(report.failures().eq([Property::Evaluations]), "{a_step}: {report}");
     }
 }
 
@@ -143,8 +143,8 @@ fn states_without_an_end_are_not_waited_for() {
         FromFn(|_: f64, theta: f64, omega: f64, _: f64, _: u64| std::iter::repeat((theta, omega)));
     let report = judged(&endless, &Claims::order(1));
     assert_eq!(report.verdict, Verdict::Fails);
-    let order = report.finding("order").expect("it is claimed");
-    assert_eq!(order.why, "more than the 8 states that were asked for", "{report}");
+    let order = report.finding(Property::Order).expect("it is claimed");
+    assert_eq!(order.why(), "more than the 8 states that were asked for", "{report}");
 }
 
 /// Answers as a hash of what is asked says, out of numbers at the limits of f64.

@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Fault, FromFn, Kind, Reply, Report, Request, Stranger, Verdict, judge, try_judge,
+    Claims, Departure, Fault, FromFn, Kind, Reply, Report, Request, Stranger, Verdict, judge,
+    try_judge,
 };
 use rstest::rstest;
 
@@ -173,9 +174,9 @@ fn rk4_time_added(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> 
 
 /// What the judge says of the equation, the output and the name.
 fn told(report: &Report) -> String {
-    let kind = report.departure.as_ref().map_or("nothing", |found| found.kind.name());
+    let kind = report.departure.as_ref().map_or("nothing", |found| found.kind().name());
     let mut lines = vec![kind.to_string()];
-    lines.extend(report.look_at.iter().map(|line| format!("• {line}")));
+    lines.extend(report.look_at().iter().map(|line| format!("• {line}")));
     lines.push(format!("What it is: {}.", report.what_it_is()));
     lines.push(report.summary());
     lines.join("\n")
@@ -207,7 +208,7 @@ fn told(report: &Report) -> String {
 fn each_mistake_is_told(#[case] program: Program, #[case] kind: Option<Kind>) {
     let report = judge(&FromFn(program), Claims::order(1));
     assert_eq!(report.verdict, Verdict::Fails, "{report}");
-    assert_eq!(report.departure.as_ref().map(|found| found.kind), kind, "{report}");
+    assert_eq!(report.departure.as_ref().map(Departure::kind), kind, "{report}");
 }
 
 /// What is said of them, to the word: `equations.txt`.
@@ -434,7 +435,7 @@ fn right_programs_are_told_nothing_false() {
             states.into_iter().map(|z| numbers.printed(z)).collect::<Vec<_>>()
         };
         let report = judge(&FromFn(run), Claims::order(method.order()));
-        let kind = report.departure.as_ref().map(|found| found.kind);
+        let kind = report.departure.as_ref().map(Departure::kind);
         let cut_off = matches!(numbers, Numbers::Digits(_) | Numbers::Decimals(_));
         let nothing = match kind {
             None => true,
@@ -730,7 +731,7 @@ fn wrong_programs_are_told_their_kind() {
         let which = k as usize % SORTS;
         let Wrong { what, kind, run } = wrong_program(&mut random, which, method, numbers);
         let report = judge(&FromFn(run), Claims::order(1));
-        let found = report.departure.as_ref().map(|found| found.kind);
+        let found = report.departure.as_ref().map(Departure::kind);
         if found == Some(kind) {
             right += 1;
         } else if matches!(found, None | Some(Kind::Values)) {
@@ -755,7 +756,7 @@ fn each_sort_is_told(#[values(0, 1, 2, 3, 4, 5)] part: usize) {
         for (method, numbers) in programs {
             let Wrong { what, kind, run } = wrong_program(&mut random, which, method, numbers);
             let report = judge(&FromFn(run), Claims::order(1));
-            let found = report.departure.as_ref().map(|found| found.kind);
+            let found = report.departure.as_ref().map(Departure::kind);
             assert_eq!(found, Some(kind), "{what}: {report}");
         }
     }
@@ -880,9 +881,9 @@ fn no_more_is_told_than_is_found(
 ) {
     let report = judge(&FromFn(program), Claims::order(1));
     let found = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
-    assert_eq!((found.kind, found.sentence.as_str()), (kind, sentence), "{report}");
+    assert_eq!((found.kind(), found.sentence().as_str()), (kind, sentence), "{report}");
     let of_another = |line: &String| line.contains("known mistake in") && kind != Kind::Force;
-    assert!(!report.look_at.iter().any(of_another), "{report}");
+    assert!(!report.look_at().iter().any(of_another), "{report}");
 }
 
 /// A program that ends, as many do, where its numbers are too large.
@@ -908,9 +909,9 @@ fn series(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 #[test]
 fn a_program_that_breaks_off_is_told_its_equation() {
     let report = judge(&Ending(series), Claims::order(1));
-    let found = report.departure.as_ref().map(|found| found.kind);
+    let found = report.departure.as_ref().map(Departure::kind);
     assert_eq!((found, report.verdict), (Some(Kind::Force), Verdict::Fails), "{report}");
-    assert!(report.look_at[1].starts_with("It broke off: "), "{report}");
+    assert!(report.look_at()[1].starts_with("It broke off: "), "{report}");
     let of_a_right_one = try_judge(&Ending(right), Claims::order(1));
     assert_eq!(of_a_right_one.err(), Some(Fault::Broken("OverflowError".to_string())));
 }
@@ -932,8 +933,8 @@ impl Stranger for Refusing {
 #[test]
 fn a_program_that_refuses_is_told_its_equation() {
     let report = judge(&Refusing(friction), Claims::order(1));
-    let found = report.departure.as_ref().map(|found| (found.kind, &found.values[..]));
-    assert_eq!(found, Some((Kind::Damping, &[0.1][..])), "{report}");
+    let found = report.departure.as_ref().map(|found| (found.kind(), found.values()));
+    assert_eq!(found, Some((Kind::Damping, vec![0.1])), "{report}");
     let report = judge(&Refusing(right), Claims::order(1));
     assert!(report.departure.is_none(), "{report}");
 }

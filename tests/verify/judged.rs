@@ -6,8 +6,8 @@ use pendula::methods::{ForwardEuler, Gauss16, Heun, Rk4, StormerVerlet};
 use pendula::{AnyMethod, method_named};
 use pendula_judge::zoo::impostor_named;
 use pendula_judge::{
-    Chosen, Claims, Fault, FromFn, Reply, Report, Request, Stranger, Verdict, judge, known_answers,
-    sign_of_slopes,
+    Chosen, Claims, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict, judge,
+    known_answers, sign_of_slopes,
 };
 use rstest::rstest;
 
@@ -28,7 +28,7 @@ fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
 fn our_methods_hold_their_claims(method: &dyn AnyMethod) {
     let chosen = Chosen::named(method.info().name).unwrap();
     let report = assert_itself(&chosen, method);
-    let driven = report.finding("stage-times").unwrap();
+    let driven = report.finding(Property::StageTimes).unwrap();
     assert_eq!(driven.verdict, Verdict::Holds, "{report}");
 }
 each_general_method!(our_methods_hold_their_claims);
@@ -72,7 +72,7 @@ each_impostor!(impostors_are_refused);
 #[case::all_at_the_start(the_drive_at_the_steps_start, Verdict::Fails)]
 fn stages_know_the_time(#[case] run: Run, #[case] expected: Verdict) {
     let report = judge(&Driven { run, g_over_l: told }, Claims::order(4));
-    let found = report.finding("stage-times").unwrap();
+    let found = report.finding(Property::StageTimes).unwrap();
     assert_eq!((report.verdict, found.verdict), (expected, expected), "{report}");
 }
 
@@ -85,9 +85,9 @@ fn the_energy_is_told_by_the_largest_error_of_either_end() {
     let largest = |part: &[(f64, f64)]| part.iter().map(|s| s.1.abs()).fold(0.0, f64::max);
     let (first, last) = (largest(&samples[..tenth]), largest(&samples[9 * tenth..]));
     assert_eq!((samples.len(), tenth > 0), (10 * tenth, true), "whole tenths");
-    let told = report.finding("energy").expect("it is measured");
+    let told = report.finding(Property::Energy).expect("it is measured");
     assert_eq!(told.values, [first, last]);
-    assert!(told.measured.ends_with(" at last: bounded"), "{report}");
+    assert!(told.measured().ends_with(" at last: bounded"), "{report}");
 }
 
 /// Störmer–Verlet with the g/L of the request before, as from a cache that is never emptied.
@@ -108,7 +108,7 @@ impl Stranger for Late {
 #[test]
 fn what_remembers_the_last_pendulum_is_not_repeatable() {
     let report = judge(&Late { g_over_l: Cell::new(None) }, Claims::order(2));
-    assert!(report.failures().any(|name| name == "repeatable"), "{report}");
+    assert!(report.failures().any(|property| property == Property::Repeatable), "{report}");
 }
 
 /// Catches: a stranger that answers too little taken for one that fails nothing, and a judge that
@@ -119,7 +119,7 @@ fn a_state_too_few_is_a_wrong_clock() {
         vec![(theta, omega); n.saturating_sub(1) as usize]
     });
     let report = judge(&short, Claims::order(1));
-    assert!(report.failures().any(|name| name == "clock"), "{report}");
+    assert!(report.failures().any(|property| property == Property::Clock), "{report}");
     for claims in [Claims::order(1), Claims::none()] {
         assert!(judge(&short, claims).to_string().contains("states where"), "{report}");
     }
@@ -193,7 +193,7 @@ fn the_reports_are_these() {
         judge(&Silent, Claims::none()),
     ];
     let said = reports.map(|report| {
-        let bounds = report.findings.iter().filter_map(|x| Some((x.name, x.bound?, x.unit)));
+        let bounds = report.findings.iter().filter_map(|x| Some((x.property, x.bound?, x.unit)));
         let bounds =
             bounds.map(|(name, bound, unit)| format!("{name} within {bound:.4e} {unit}\n"));
         format!("{report}{}", bounds.collect::<String>())

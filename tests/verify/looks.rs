@@ -5,7 +5,9 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use pendula::Phase;
-use pendula_judge::{Claims, Fault, Reply, Request, Stranger, Verdict, judge, known_answers};
+use pendula_judge::{
+    Claims, Fault, Property, Reply, Request, Stranger, Verdict, judge, known_answers,
+};
 use rstest::rstest;
 
 /// A run as a user would write it, with the drive's force at the times that it likes: the states
@@ -314,13 +316,13 @@ fn the_cause_is_told(
     let report = judge(&Driven { run, g_over_l }, claims);
     assert_eq!(report.verdict, Verdict::Fails, "{report}");
     for name in fails {
-        assert!(report.failures().any(|failed| failed == *name), "{name}: {report}");
+        assert!(report.failures().any(|failed| failed.name() == *name), "{name}: {report}");
     }
-    assert!(report.look_at.len() >= first.split('|').count(), "{report}");
-    for (told, begins) in report.look_at.iter().zip(first.split('|')) {
+    assert!(report.look_at().len() >= first.split('|').count(), "{report}");
+    for (told, begins) in report.look_at().iter().zip(first.split('|')) {
         assert!(told.starts_with(begins), "{report}");
     }
-    assert!(report.look_at.len() <= 3, "{report}");
+    assert!(report.look_at().len() <= 3, "{report}");
 }
 
 /// Catches: a right method of which something is said to be looked at.
@@ -334,7 +336,7 @@ fn the_cause_is_told(
 )]
 fn of_a_right_program_nothing_is_told(#[case] run: Run, #[case] claims: Claims) {
     let report = judge(&Driven { run, g_over_l: told }, claims);
-    assert_eq!((report.verdict, &report.look_at[..]), (Verdict::Holds, &[][..]), "{report}");
+    assert_eq!((report.verdict, &report.look_at()[..]), (Verdict::Holds, &[][..]), "{report}");
 }
 
 /// Catches: several causes told of one, or a failure that is said to follow from two.
@@ -342,10 +344,10 @@ fn of_a_right_program_nothing_is_told(#[case] run: Run, #[case] claims: Claims) 
 fn each_failure_follows_from_one_cause() {
     let run = Driven { run: a_kick_missing_in_each_step, g_over_l: told };
     let report = judge(&run, leapfrog());
-    let told = report.look_at.concat();
+    let told = report.look_at().concat();
     // The sentence on the equation is itself what is said of it.
-    for name in report.failures().filter(|name| *name != "equation") {
-        assert_eq!(told.matches(name).count(), 1, "{name}: {report}");
+    for name in report.failures().filter(|name| *name != Property::Equation) {
+        assert_eq!(told.matches(name.name()).count(), 1, "{name}: {report}");
     }
 }
 
@@ -380,7 +382,7 @@ fn of_the_methods_that_fit_it_is_the_one_that_is_near() {
     let names = known_answers::methods().iter().map(|known| known.name.as_str());
     let holds = |name: &&str| {
         let report = judge(&stranger, Claims::none().name(*name));
-        report.finding("name").is_some_and(|finding| finding.verdict == Verdict::Holds)
+        report.finding(Property::Name).is_some_and(|finding| finding.verdict == Verdict::Holds)
     };
     let fit: Vec<&str> = names.filter(holds).collect();
     assert_eq!(fit, ["rk4"]);

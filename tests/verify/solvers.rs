@@ -10,14 +10,14 @@ use pendula::methods::{Dop853, DormandPrince};
 use pendula_judge::zoo::recorded::{Recorded, Recording};
 use pendula_judge::zoo::solvers::{WrongSolver, wrong_solvers};
 use pendula_judge::{
-    ByTolerance, Claims, Fault, Kind, Reply, Report, SolveFn, SolveRequest, Solver, Verdict,
-    judge_solver,
+    ByTolerance, Claims, Fault, Kind, Property, Reply, Report, SolveFn, SolveRequest, Solver,
+    Verdict, judge_solver,
 };
 use rstest::rstest;
 
 /// The claims of a report that fail.
 fn failing(report: &Report) -> Vec<&'static str> {
-    report.failures().collect()
+    report.failures().map(Property::name).collect()
 }
 
 /// What is said of each wrong solver, to the word, and at the end the fewest properties that would
@@ -36,7 +36,8 @@ fn each_wrong_solver_is_caught() {
         assert!(failures_but_many(&report).eq(failures_but_many(&again)), "{report}\n{again}");
         assert_eq!(failing.is_empty(), wrong.name.starts_with("nothing wrong"), "{report}");
         let name = format!("{}: {}", wrong.name, failing.join(", "));
-        let causes = report.look_at.iter().map(|line| format!("    {line}"));
+        let look_at = report.look_at();
+        let causes = look_at.iter().map(|line| format!("    {line}"));
         ([name].into_iter().chain(causes).collect::<Vec<_>>(), failing)
     };
     // Side by side: each thread makes all of them, and judges every fourth.
@@ -57,8 +58,8 @@ fn each_wrong_solver_is_caught() {
 }
 
 /// What fails, but for the time that many outputs take, which no record has.
-fn failures_but_many(report: &Report) -> impl Iterator<Item = &'static str> {
-    report.failures().filter(|name| *name != "many")
+fn failures_but_many(report: &Report) -> impl Iterator<Item = Property> {
+    report.failures().filter(|property| *property != Property::Many)
 }
 
 /// The fewest properties of which each list has one, the first such set in their order.
@@ -113,7 +114,7 @@ fn a_refused_passage_is_no_wrong_one() {
         .findings
         .iter()
         .filter(|it| it.claimed.is_some() && it.verdict != Verdict::Holds)
-        .map(|it| it.name)
+        .map(|it| it.property.name())
         .collect();
     assert_eq!((report.verdict, &unclear[..]), (Verdict::Unclear, &["crossings"][..]), "{report}");
 }
@@ -154,7 +155,7 @@ const THE_END: &str =
 fn outputs_that_are_worse_are_found(#[case] answers: &str, #[case] sentence: &str) {
     let report = recorded(answers, "free-outputs");
     assert!(failing(&report).contains(&"output"), "{report}");
-    assert!(report.look_at.iter().any(|line| line.contains(sentence)), "{report}");
+    assert!(report.look_at().iter().any(|line| line.contains(sentence)), "{report}");
 }
 
 /// A right solver whose end is off by this part of itself where other states are asked for too.
@@ -177,7 +178,7 @@ impl Solver for EndOff {
 #[case::part_of_the_tolerance(1e-11, Verdict::Fails)]
 fn free_outputs_may_round(#[case] off: f64, #[case] verdict: Verdict) {
     let report = judge_solver(&EndOff(off), Claims::order(5).free_outputs());
-    assert_eq!(report.finding("free-outputs").unwrap().verdict, verdict, "{report}");
+    assert_eq!(report.finding(Property::FreeOutputs).unwrap().verdict, verdict, "{report}");
 }
 
 /// Heun's method with the result of Euler's beside it, steps that stop at the outputs, and a
@@ -237,8 +238,8 @@ fn a_function_is_judged() {
 fn another_equation_is_told(#[case] force: fn(f64) -> f64, #[case] kind: Kind) {
     let report = judge_solver(&heun(force), Claims::order(2));
     let departure = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
-    assert_eq!(departure.kind, kind, "{report}");
-    assert_eq!(report.look_at[0], format!("{}.", departure.sentence), "{report}");
+    assert_eq!(departure.kind(), kind, "{report}");
+    assert_eq!(report.look_at()[0], format!("{}.", departure.sentence()), "{report}");
 }
 
 /// DOP853, with this answer to a tolerance that makes no sense.
@@ -259,8 +260,8 @@ impl Solver for To {
 fn the_impossible_need_not_be_asked_for() {
     let refusal = |fault| {
         let report = judge_solver(&To(fault), Claims::order(8));
-        let found = report.finding("refusal").unwrap();
-        (found.verdict, found.claimed.clone(), found.measured.clone(), report.verdict)
+        let found = report.finding(Property::Refusal).unwrap();
+        (found.verdict, found.claimed.clone(), found.measured(), report.verdict)
     };
     let (verdict, claimed, _, all) = refusal(Fault::Unsupported);
     assert_eq!((verdict, claimed, all), (Verdict::NotMeasured, None, Verdict::Holds));

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use pendula::{Hamiltonian, Motion, Pendulum, Phase};
-use pendula_judge::{Claims, FromFn, Verdict, judge};
+use pendula_judge::{Claims, FromFn, Property, Verdict, judge};
 use rstest::rstest;
 
 use crate::looks::{self, Run};
@@ -324,7 +324,7 @@ fn to_seven_digits(z: State) -> State {
 fn wrong_ones_are_refused(#[case] step: Step, #[case] claims: Claims, #[case] by: &str) {
     let report = judge(&FromFn(stepping(step)), claims);
     assert_eq!(report.verdict, Verdict::Fails, "{report}");
-    assert!(report.failures().any(|name| name == by), "{report}");
+    assert!(report.failures().any(|property| property.name() == by), "{report}");
 }
 
 /// A share s of the velocity lost takes 2sK of the kinetic energy K, and so, on average over a
@@ -348,7 +348,7 @@ fn a_loss_is_told_in_its_size() {
 
     let step = |g: f64, z, h: f64| losing(SHARE, g, z, h);
     let report = judge(&FromFn(stepping(step)), Claims::order(2).symmetric());
-    let loss = report.finding("loss").expect("a loss is looked for");
+    let loss = report.finding(Property::Loss).expect("a loss is looked for");
     let [told] = loss.values[..] else { panic!("{report}") };
     assert!((told / expected - 1.0).abs() <= 0.015, "{told:e}, not {expected:e}");
 }
@@ -361,7 +361,7 @@ fn a_loss_as_small_as_a_tolerance_is_unclear() {
     let step = |g: f64, z, h: f64| rubbed(1e-10, g, z, h);
     let report = judge(&FromFn(stepping(step)), Claims::order(2).symmetric());
     assert_eq!(report.verdict, Verdict::Unclear, "{report}");
-    let loss = report.finding("loss").expect("a loss is looked for");
+    let loss = report.finding(Property::Loss).expect("a loss is looked for");
     assert_eq!(loss.verdict, Verdict::Unclear, "{report}");
 }
 
@@ -387,7 +387,7 @@ fn wrong_clocks_are_refused(#[case] steps: fn(u64, f64) -> Vec<u64>) {
         steps.into_iter().map(move |steps| taken[(steps.max(1) - 1) as usize])
     };
     let report = judge(&FromFn(run), Claims::order(2));
-    assert!(report.failures().any(|name| name == "clock"), "{report}");
+    assert!(report.failures().any(|property| property == Property::Clock), "{report}");
 }
 
 /// Every state number 1000, where a buffer of states is full, has the velocity of the state before.
@@ -405,6 +405,6 @@ fn a_late_velocity_is_a_wrong_clock() {
         states
     };
     let report = judge(&FromFn(run), Claims::order(2));
-    let clock = report.finding("clock").expect("it is implied");
+    let clock = report.finding(Property::Clock).expect("it is implied");
     assert_eq!(clock.verdict, Verdict::Fails, "{report}");
 }

@@ -62,24 +62,24 @@ fn rows(report: &Report) -> String {
     let mut rows = String::new();
     for finding in &report.findings {
         let measured = match finding.verdict {
-            Verdict::NotMeasured => &finding.why,
-            _ => &finding.measured,
+            Verdict::NotMeasured => finding.why(),
+            _ => finding.measured(),
         };
         rows += &row([
-            finding.name,
+            finding.property.name(),
             finding.claimed.as_deref().unwrap_or_default(),
             finding.verdict.name(),
             &numbers(finding.bound),
             finding.unit,
             &numbers(finding.values.iter().copied()),
-            measured,
+            &measured,
         ]);
     }
     let usual = report.evidence.tolerances.iter().find(|it| (it.0 / 1e-7 - 1.0).abs() < 0.1);
     if let Some((tolerance, error, _)) = usual {
         rows += &row(["usual", "", "", "", "", &numbers([*tolerance, *error]), ""]);
     }
-    for line in &report.look_at {
+    for line in &report.look_at() {
         rows += &row(["look at", "", "", "", "", "", line]);
     }
     rows

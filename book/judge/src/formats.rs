@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::printable::{escaped, printable};
-use crate::{Claims, Departure, Finding, Report, Verdict};
+use crate::{Advice, Claims, Departure, Finding, Report, Verdict};
 
 /// A program with what was found of it.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,8 @@ pub fn json(judged: &Judged<'_>) -> Value {
         "mistake": report.mistake.map(|mistake| &mistake.name),
         "departure": report.departure.as_ref().map(departure),
         "what_it_is": report.what_it_is(),
-        "what_to_look_at": report.look_at,
+        "what_to_look_at": report.look_at(),
+        "causes": report.advice.iter().map(cause).collect::<Vec<_>>(),
         "properties": report.findings.iter().map(property).collect::<Vec<_>>(),
         "text": report.to_string(),
     })
@@ -58,11 +59,20 @@ pub fn json(judged: &Judged<'_>) -> Value {
 /// In what it departs from the pendulum, with its numbers.
 fn departure(found: &Departure) -> Value {
     json!({
-        "kind": found.kind.name(),
-        "place": found.kind.place().name(),
-        "values": found.values,
-        "equation": found.equation,
-        "sentence": found.sentence,
+        "kind": found.kind().name(),
+        "place": found.place().name(),
+        "values": found.values(),
+        "equation": found.equation().map(ToString::to_string),
+        "sentence": found.sentence(),
+    })
+}
+
+/// A cause of what fails, and the names of the properties that fail by it.
+fn cause(Advice { cause, explains }: &Advice) -> Value {
+    json!({
+        "kind": cause.name(),
+        "explains": explains.iter().map(|property| property.name()).collect::<Vec<_>>(),
+        "sentence": cause.to_string(),
     })
 }
 
@@ -74,14 +84,15 @@ fn property(finding: &Finding) -> Value {
         several => json!(several),
     };
     json!({
-        "name": finding.name,
+        "name": finding.property.name(),
+        "finding": finding.measurement.name(),
         "claimed": finding.claimed,
         "verdict": finding.verdict.name(),
-        "measured": finding.measured,
+        "measured": finding.measured(),
         "value": value,
         "unit": finding.unit,
         "bound": finding.bound,
-        "why": finding.why,
+        "why": finding.why(),
     })
 }
 
@@ -98,7 +109,7 @@ pub fn junit(judged: &Judged<'_>, lenient: bool) -> String {
     let (errors, skipped) = if lenient { (0, open) } else { (open, 0) };
     let suite = as_xml(judged.title());
     let cases: String = claimed.iter().map(|finding| case(finding, &suite, lenient)).collect();
-    let told = [judged.report.look_at.join("\n"), judged.report.summary()].join("\n");
+    let told = [judged.report.look_at().join("\n"), judged.report.summary()].join("\n");
     format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
 <testsuites>
@@ -120,10 +131,10 @@ fn is_open(verdict: Verdict) -> bool {
 
 fn case(finding: &Finding, suite: &str, lenient: bool) -> String {
     let claimed = finding.claimed.as_deref().unwrap_or_default();
-    let [name, message] = [format!("{}: {claimed}", finding.name), finding.measured.clone()]
-        .map(|text| as_xml(&text));
+    let [name, message] =
+        [format!("{}: {claimed}", finding.property), finding.measured()].map(|text| as_xml(&text));
     let verdict = finding.verdict.name();
-    let why = as_xml(&finding.why);
+    let why = as_xml(&finding.why());
     let result = match finding.verdict {
         Verdict::Fails => {
             format!("<failure message=\"{message}\" type=\"{verdict}\">{why}</failure>")
@@ -158,9 +169,10 @@ pub fn markdown(judged: &Judged<'_>) -> String {
         as_markdown(&judged.claimed()),
         as_markdown(&report.what_it_is())
     );
-    if !report.look_at.is_empty() {
+    let look_at = report.look_at();
+    if !look_at.is_empty() {
         text.push_str("\nWhat to look at:\n\n");
-        text.extend(report.look_at.iter().map(|line| format!("* {}\n", as_markdown(line))));
+        text.extend(look_at.iter().map(|line| format!("* {}\n", as_markdown(line))));
     }
     text.push_str("\n| property | claimed | verdict | measured |\n| --- | --- | --- | --- |\n");
     for finding in &report.findings {
@@ -170,13 +182,13 @@ pub fn markdown(judged: &Judged<'_>) -> String {
         };
         let claimed = as_markdown(finding.claimed.as_deref().unwrap_or("–"));
         let told = match finding.verdict {
-            Verdict::NotMeasured => as_markdown(&finding.why),
+            Verdict::NotMeasured => as_markdown(&finding.why()),
             Verdict::Fails | Verdict::Unclear => {
-                format!("{}: {}", as_markdown(&finding.measured), as_markdown(&finding.why))
+                format!("{}: {}", as_markdown(&finding.measured()), as_markdown(&finding.why()))
             }
-            _ => as_markdown(&finding.measured),
+            _ => as_markdown(&finding.measured()),
         };
-        text.push_str(&format!("| {} | {claimed} | {verdict} | {told} |\n", finding.name));
+        text.push_str(&format!("| {} | {claimed} | {verdict} | {told} |\n", finding.property));
     }
     text
 }

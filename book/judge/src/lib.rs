@@ -71,31 +71,40 @@
 //!
 //! [`properties`] are the stricter checks that each method of the library passes.
 
+mod finding;
 pub mod formats;
 mod judge;
 pub mod known_answers;
 pub mod printable;
 mod program;
 pub mod properties;
+mod property;
 pub mod protocol;
 mod solver;
 mod solver_judge;
 mod stranger;
+mod words;
 #[cfg(feature = "zoo")]
 pub mod zoo;
 
+pub use finding::{EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 pub use judge::{
-    ClaimError, Claims, Departure, Evidence, Finding, Identity, Kind, Place, Report, Verdict,
-    judge, try_judge,
+    Added, Advice, But, Cause, ClaimError, Claims, Departure, Description, Deviation, Equation,
+    Evidence, Identity, Kind, Nearest, Of, Place, Range, Report, Resemblance, Seen, Trouble,
+    Verdict, judge, try_judge,
 };
-#[doc(hidden)]
-pub use judge::{Scientific, Seen, scientific, sign_of_slopes};
 pub use program::Program;
+pub use property::Property;
 pub use solver::{
     ByTolerance, Crossings, CrossingsRequest, IntoReply, SolveFn, SolveRequest, Solver,
 };
 pub use solver_judge::{judge_solver, try_judge_solver};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
+#[doc(hidden)]
+pub use words::{
+    numbers::{Scientific, scientific},
+    sign_of_slopes,
+};
 
 /// The README's listings, run as tests.
 #[cfg(doctest)]

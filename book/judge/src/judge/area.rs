@@ -1,8 +1,8 @@
 //! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
 
 use super::probe::{Probe, frequency, step};
-use super::report::{Finding, about, scientific};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{Finding, Measurement};
 use crate::properties;
 use crate::stranger::Request;
 use pendula::systems::Phase;
@@ -96,12 +96,7 @@ pub fn gain(probe: &Probe<'_>, steps: u64) -> Measured<(f64, f64)> {
 pub fn judge(&Defect { value, ruler, x }: &Defect) -> Finding {
     let verdict = Verdict::of(value.abs(), 10.0 * ruler, 100.0 * ruler);
     Finding {
-        measured: format!("det J − 1 = {} at x = {x:.1}", scientific(value)),
-        why: format!(
-            "at x = ω₀h = {x:.1} the area changes by {}; the ruler is right to {}",
-            scientific(value),
-            about(ruler)
-        ),
+        measurement: Measurement::Area { x, ruler },
         ..Finding::number(value, "", 10.0 * ruler, verdict)
     }
 }

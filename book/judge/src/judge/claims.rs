@@ -4,6 +4,7 @@ use core::fmt;
 use core::str::FromStr;
 
 use crate::known_answers::{self, Known};
+use crate::property::Property;
 
 /// What is claimed of an integrator. Nothing is, unless said. What comes with any claim (equation,
 /// output, mirror, turn, units, clock, repeatable, precision, and stage times where there is a
@@ -104,25 +105,25 @@ impl Claims {
         Self { crossings: true, ..self }
     }
 
-    /// What is claimed of the properties that equal steps alone have, by their names.
-    pub(crate) fn of_steps(&self) -> [(&'static str, Option<String>); 5] {
+    /// What is claimed of the properties that equal steps alone have.
+    pub(crate) fn of_steps(&self) -> [(Property, Option<String>); 5] {
         let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
         [
-            ("area", word(self.symplectic, "symplectic")),
-            ("reversal", word(self.symmetric, "symmetric")),
-            ("energy", word(self.bounded_energy, "bounded")),
-            ("evaluations", self.evaluations.map(|a_step| format!("{a_step} a step"))),
-            ("name", self.name.clone()),
+            (Property::Area, word(self.symplectic, "symplectic")),
+            (Property::Reversal, word(self.symmetric, "symmetric")),
+            (Property::Energy, word(self.bounded_energy, "bounded")),
+            (Property::Evaluations, self.evaluations.map(|a_step| format!("{a_step} a step"))),
+            (Property::Name, self.name.clone()),
         ]
     }
 
-    /// What is claimed of the properties that a solver alone has, by their names.
-    pub(crate) fn of_a_solver(&self) -> [(&'static str, Option<String>); 3] {
+    /// What is claimed of the properties that a solver alone has.
+    pub(crate) fn of_a_solver(&self) -> [(Property, Option<String>); 3] {
         let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
         [
-            ("estimate", self.estimate.map(|power| power.to_string())),
-            ("free-outputs", word(self.free_outputs, "free")),
-            ("crossings", word(self.crossings, "crossings")),
+            (Property::Estimate, self.estimate.map(|power| power.to_string())),
+            (Property::FreeOutputs, word(self.free_outputs, "free")),
+            (Property::Crossings, word(self.crossings, "crossings")),
         ]
     }
 

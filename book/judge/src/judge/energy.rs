@@ -1,8 +1,8 @@
 //! The energy: bounded, or drifting, and by which law.
 
 use super::probe::{Probe, energy, step};
-use super::report::{Finding, scientific};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{EnergyLaw, Finding, Measurement};
 use crate::stranger::Request;
 use pendula::systems::Phase;
 
@@ -83,19 +83,12 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Energy> {
 /// What is to be said of a claim that the energy error does not grow.
 pub fn judge(energy: &Energy) -> Finding {
     let &Energy { ends: [first, last], bound, x, steps, .. } = energy;
-    let why = format!(
-        "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {} in the first \
-         tenth and {} in the last",
-        scientific(first),
-        scientific(last)
-    );
     let (verdict, law) = verdict(first, last, bound);
     Finding {
-        measured: format!("{} at first, {} at last: {law}", scientific(first), scientific(last)),
+        measurement: Measurement::EnergyAtEnds { x, steps, law },
         values: vec![first, last],
         unit: "m g L",
         bound: Some(1.3 * first + 10.0 * bound),
-        why: if verdict == Verdict::Unclear { format!("{why}: {law}") } else { why },
         verdict,
         ..Finding::default()
     }
@@ -103,16 +96,16 @@ pub fn judge(energy: &Energy) -> Finding {
 
 /// The verdict on the largest energy errors of the `first` tenth and of the `last`, of which
 /// rounding may make `bound`; and the law that they show.
-pub fn verdict(first: f64, last: f64, bound: f64) -> (Verdict, &'static str) {
+pub fn verdict(first: f64, last: f64, bound: f64) -> (Verdict, EnergyLaw) {
     if last < 10.0 * bound && first < 10.0 * bound {
-        (Verdict::Unclear, "rounding")
+        (Verdict::Unclear, EnergyLaw::Rounding)
     } else if last > 2.0 * first && last > 20.0 * bound {
         // Ten times as much after ten times the time.
         let with_time = (5.0 * first..20.0 * first).contains(&last);
-        (Verdict::Fails, if with_time { "grows with time" } else { "grows" })
+        (Verdict::Fails, if with_time { EnergyLaw::GrowsWithTime } else { EnergyLaw::Grows })
     } else if last > 1.3 * first + 10.0 * bound {
-        (Verdict::Unclear, "grows a little, or wanders")
+        (Verdict::Unclear, EnergyLaw::Wanders)
     } else {
-        (Verdict::Holds, "bounded")
+        (Verdict::Holds, EnergyLaw::Bounded)
     }
 }

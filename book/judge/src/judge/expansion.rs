@@ -93,7 +93,7 @@ pub const TERMS: [&[Term]; POWERS] = [
 ];
 
 /// The lowest power of the step at which a factor is not that of the exact motion.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The power k of hᵏ, from 1.
     pub power: usize,

@@ -5,11 +5,12 @@ use core::fmt;
 
 use super::answers::{Match, Name};
 use super::claims::Claims;
-use super::equation::Solver;
+use super::equation::{Equation, Solver};
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
 use super::replies::DOUBLE;
-use super::report::{Finding, Scientific, about, raised};
+use super::report::about;
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{Finding, Measurement};
 use crate::known_answers::{self, Known};
 use crate::properties::error_constant::extrapolated;
 use crate::stranger::Request;
@@ -82,7 +83,7 @@ pub struct Identity {
     /// Whether only the angles are the method's, and the velocities are not.
     pub angles_only: bool,
     /// The equation on which it is that method, if that is not the pendulum's.
-    pub on: Option<String>,
+    pub on: Option<Equation>,
     /// By how much a step differs at most (rad).
     pub apart: f64,
 }
@@ -94,9 +95,9 @@ impl Identity {
     }
 
     /// A method on another equation.
-    pub(super) fn solving(solver: Solver, equation: &str) -> Self {
+    pub(super) fn solving(solver: Solver, equation: Equation) -> Self {
         let Solver { name, title, apart } = solver;
-        let on = Some(equation.to_string());
+        let on = Some(equation);
         Self { method: name, title, seen: Seen::DIRECTLY, angles_only: false, on, apart }
     }
 }
@@ -308,39 +309,29 @@ pub fn judge(name: &Name, identity: Option<&Identity>, claims: &Claims) -> Findi
     if let Name::OneOf(those) = name {
         return one_of(those, claims);
     }
-    let (verdict, why) = match identity {
-        Some(identity) if identity.is_plain() && claims.is_named(identity.method) => {
-            (Verdict::Holds, "its steps are those of the method".to_string())
+    let (verdict, measurement) = match identity {
+        Some(identity) => {
+            let right = identity.is_plain() && claims.is_named(identity.method);
+            let verdict = if right { Verdict::Holds } else { Verdict::Fails };
+            (verdict, Measurement::Is(Box::new(identity.clone())))
         }
-        Some(identity) => (Verdict::Fails, format!("it is {identity}")),
-        None => (Verdict::Fails, "its steps are those of no known method".to_string()),
+        None => (Verdict::Fails, Measurement::NoKnownMethod),
     };
-    let measured = identity.map_or("none that is known", |identity| identity.method).to_string();
     let values = identity.map(|identity| identity.apart).into_iter().collect();
-    Finding { measured, values, unit: "rad", verdict, why, ..Finding::default() }
+    Finding { measurement, values, unit: "rad", verdict, ..Finding::default() }
 }
 
-/// The most methods of which it is said that it may be one.
-const MOST_NAMES: usize = 3;
-
-/// What it may be, for all that its digits tell.
-pub fn may_be(those: &[Match]) -> String {
-    let names: Vec<&str> = those.iter().map(|found| found.known.name.as_str()).collect();
-    match names.len() {
-        ..=MOST_NAMES => format!("one of: {}", names.join(", ")),
-        many => format!("one of {many} methods"),
-    }
+/// The names of the methods that it may be.
+pub fn may_be(those: &[Match]) -> Vec<&'static str> {
+    those.iter().map(|found| found.known.name.as_str()).collect()
 }
 
 fn one_of(those: &[Match], claims: &Claims) -> Finding {
-    let measured = may_be(those);
     let claimed = those.iter().any(|found| claims.is_named(&found.known.name));
-    let (verdict, why) = match claimed {
-        true => (Verdict::Unclear, "its digits do not tell it from others"),
-        false => (Verdict::Fails, "its steps are not those of the method"),
-    };
+    let verdict = if claimed { Verdict::Unclear } else { Verdict::Fails };
+    let measurement = Measurement::OneOf(may_be(those));
     let values = those.first().map(|found| found.apart).into_iter().collect();
-    Finding { measured, values, unit: "rad", verdict, why: why.to_string(), ..Finding::default() }
+    Finding { measurement, values, unit: "rad", verdict, ..Finding::default() }
 }
 
 /// The leading error of a step at (1 rad, 1 ω₀) over h^(order + 1), in θ and in ω/ω₀ with h in
@@ -367,11 +358,4 @@ pub fn leading_error(probe: &Probe<'_>, order: u32) -> Measured<[f64; 2]> {
         return Err(Trouble::NoAnswer(format!("the error of a step goes not with x^{power}")));
     }
     Ok([0, 1].map(|i| extrapolated(errors.map(|error| error[i]))))
-}
-
-/// The same in words.
-pub fn error_in_words(probe: &Probe<'_>, order: u32) -> Measured<String> {
-    let [theta, omega] = leading_error(probe, order)?.map(|error| Scientific(error, 3));
-    let power = raised(order as usize + 1);
-    Ok(format!("the error of a step at (1 rad, ω₀) is ({theta}, {omega}) x{power} in θ and ω/ω₀"))
 }

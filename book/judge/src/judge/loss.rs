@@ -3,8 +3,8 @@
 use super::area;
 use super::identity::Identity;
 use super::probe::{G_OVER_L, Probe, energy, pendulum, step};
-use super::report::{Finding, about, scientific};
 use super::verdict::{Measured, Verdict};
+use crate::finding::{Finding, LossBy, Measurement};
 use crate::properties::flipped;
 use crate::stranger::Request;
 use pendula::systems::Phase;
@@ -20,7 +20,7 @@ pub struct Loss {
     /// What a tolerance inside the stranger may make of it.
     pub tolerance: f64,
     /// How it was measured.
-    pub by: &'static str,
+    pub by: LossBy,
 }
 
 const STEPS: u64 = 10_000;
@@ -40,8 +40,7 @@ fn by_reversal(probe: &Probe<'_>) -> Measured<Loss> {
     let there = probe.end(Request::run(START, step(X), steps))?;
     let back = probe.end(Request::run(flipped(there), step(X), steps))?;
     let a_step = (1.0 - energy(back) / energy(START)) / (2.0 * steps as f64);
-    let by = "the energy after the way out and home";
-    Ok(Loss::of(probe, a_step, bound(probe, 2 * steps), by))
+    Ok(Loss::of(probe, a_step, bound(probe, 2 * steps), LossBy::Reversal))
 }
 
 /// Of a method that is on the list: its own energy after as many steps.
@@ -60,14 +59,14 @@ fn by_identity(probe: &Probe<'_>, identity: &Identity) -> Option<Measured<Loss>>
         // is: by rounding, times the slope of that oscillation.
         let phase = probe.rounding_bound(steps, X) / steps as f64;
         let a_step = (1.0 - energy(end) / own) / steps as f64;
-        Loss::of(probe, a_step, bound(probe, steps) + phase, "the energy beside its own method's")
+        Loss::of(probe, a_step, bound(probe, steps) + phase, LossBy::Method)
     }))
 }
 
 /// Of a symplectic method: the area after many steps.
 fn by_area(probe: &Probe<'_>) -> Measured<Loss> {
     let (gain, bound) = area::gain(probe, probe.in_time(STEPS)?)?;
-    Ok(Loss::of(probe, -gain, 10.0 * bound, "the area after many steps"))
+    Ok(Loss::of(probe, -gain, 10.0 * bound, LossBy::Area))
 }
 
 /// What is lost in a step, by what the method has that would not lose it: its identity, its
@@ -85,7 +84,7 @@ pub fn measure(
 }
 
 impl Loss {
-    fn of(probe: &Probe<'_>, a_step: f64, bound: f64, by: &'static str) -> Self {
+    fn of(probe: &Probe<'_>, a_step: f64, bound: f64, by: LossBy) -> Self {
         Self { a_step, bound, tolerance: probe.tolerance_a_step(), by }
     }
 
@@ -95,21 +94,10 @@ impl Loss {
         if !a_step.is_finite() {
             return Finding::nothing("the energy is not finite".to_string());
         }
-        let mut why = format!(
-            "by {by}: {} a step, where rounding makes {} at most",
-            scientific(a_step),
-            about(bound)
-        );
-        let mut verdict = Verdict::of(a_step.abs(), bound, 10.0 * bound);
-        if verdict == Verdict::Fails && a_step.abs() <= tolerance {
-            verdict = Verdict::Unclear;
-            why.push_str("; a tolerance inside it may do so");
-        }
-        let measured = if a_step.abs() <= bound {
-            format!("less than {} a step", about(bound))
-        } else {
-            format!("{} a step", scientific(a_step))
-        };
-        Finding { measured, why, ..Finding::number(a_step, "a step", bound, verdict) }
+        let verdict = Verdict::of(a_step.abs(), bound, 10.0 * bound);
+        let by_tolerance = verdict == Verdict::Fails && a_step.abs() <= tolerance;
+        let verdict = if by_tolerance { Verdict::Unclear } else { verdict };
+        let measurement = Measurement::Lost { by, by_tolerance };
+        Finding { measurement, ..Finding::number(a_step, "a step", bound, verdict) }
     }
 }

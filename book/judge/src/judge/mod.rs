@@ -1,19 +1,19 @@
 //! The judge, property by property, from the order to what to look at.
 
+pub(crate) mod advice;
 mod answers;
 pub(crate) mod area;
 mod claims;
 pub(crate) mod energy;
-mod equation;
+pub(crate) mod equation;
 mod expansion;
-mod identity;
-mod look;
+pub(crate) mod identity;
 mod loss;
 pub(crate) mod order;
 pub(crate) mod probe;
 mod replies;
 pub(crate) mod report;
-mod resemblance;
+pub(crate) mod resemblance;
 pub(crate) mod reversal;
 mod series;
 mod stage_times;
@@ -22,20 +22,24 @@ pub(crate) mod symmetry;
 mod thresholds;
 pub(crate) mod verdict;
 
+pub use advice::{Advice, Cause};
 pub use claims::{ClaimError, Claims};
-pub use equation::{Departure, Kind, Place};
+pub use equation::{Added, Departure, Equation, Kind, Of, Place, Range};
+pub use expansion::Deviation;
 pub use identity::{Identity, Seen};
-pub use look::sign_of_slopes;
-pub use report::{Evidence, Finding, Report, Scientific, scientific};
-pub use verdict::Verdict;
+pub use report::{Description, Evidence, Report};
+pub use resemblance::{But, Nearest, Resemblance};
+pub use verdict::{Trouble, Verdict};
 
+use advice::Looking;
 use answers::{Answers, Name};
 use equation::{Looked, Undo, Undone};
-use look::Looking;
 use probe::Probe;
-use verdict::{Measured, Trouble, told};
+use verdict::{Measured, told};
 
 use super::stranger::{Fault, Stranger};
+use crate::finding::{Finding, Measurement};
+use crate::property::Property;
 
 /// Judges `stranger` by its `claims`.
 ///
@@ -87,14 +91,14 @@ struct Ready<'s> {
 }
 
 /// What was found of the equation, with what undoes a change of output.
-type Equation = Measured<Option<(Looked, Option<Undo>)>>;
+type Solves = Measured<Option<(Looked, Option<Undo>)>>;
 
-fn without_undo(looked: Equation) -> Measured<Option<Looked>> {
+fn without_undo(looked: Solves) -> Measured<Option<Looked>> {
     looked.map(|looked| looked.map(|(looked, _)| looked))
 }
 
 /// The stranger, ready to be judged, and its equation.
-fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s>, Equation)> {
+fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s>, Solves)> {
     let cut_off = match probe.measured_rounding {
         Ok(rounding) if rounding > replies::DOUBLE => told(equation::cut_off(&probe))?.flatten(),
         _ => None,
@@ -105,7 +109,7 @@ fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s
     if let Err(Trouble::Broken(why)) = looked {
         return Err(Trouble::Broken(why));
     }
-    let departs = |looked: &Equation| {
+    let departs = |looked: &Solves| {
         looked
             .as_ref()
             .is_ok_and(|found| found.as_ref().is_some_and(|(looked, _)| looked.departure.is_some()))
@@ -138,13 +142,13 @@ fn properties(
     }
     judge.report.conclude(claims.are_none());
     judge.mistake();
-    let Looking { sentences, resembles } = look::at(&judge.probe, claims, &judge.report)?;
+    let Looking { advice, resembles } = advice::at(&judge.probe, claims, &judge.report)?;
     let mut report = judge.report;
     // One name: what it is but for one thing goes before the same on another equation.
     if resembles.is_some() {
         report.identity = report.identity.filter(|identity| identity.on.is_none());
     }
-    Ok(Report { look_at: sentences, resembles, ..report })
+    Ok(Report { advice, resembles, ..report })
 }
 
 /// The report as it grows.
@@ -169,17 +173,16 @@ struct Shown {
 }
 
 impl Judge<'_> {
-    /// Notes what was found of the property `name`, as `judge` has it, and returns what was
-    /// measured.
+    /// Notes what was found of a property, as `judge` has it, and returns what was measured.
     fn note<T>(
         &mut self,
-        name: &'static str,
+        property: Property,
         claimed: Option<String>,
         found: Measured<T>,
         judge: impl FnOnce(&T) -> Finding,
     ) -> Measured<(Option<T>, Verdict)> {
         let told = found.as_ref().map(judge).map_err(Trouble::clone);
-        let shown = self.report.note(name, claimed, told)?;
+        let shown = self.report.note(property, claimed, told)?;
         Ok((found.ok(), shown))
     }
 
@@ -189,12 +192,14 @@ impl Judge<'_> {
         self.equation()?;
         let order = self.order()?;
         let symplectic = claims.symplectic.then(|| "symplectic".to_string());
-        let (_, area) = self.note("area", symplectic, area::largest(&self.probe), area::judge)?;
+        let (_, area) =
+            self.note(Property::Area, symplectic, area::largest(&self.probe), area::judge)?;
         let symmetric = claims.symmetric.then(|| "symmetric".to_string());
         let way = reversal::worst(&self.probe);
-        let (_, reversal) = self.note("reversal", symmetric, way, reversal::judge)?;
+        let (_, reversal) = self.note(Property::Reversal, symmetric, way, reversal::judge)?;
         let bounded = claims.bounded_energy.then(|| "bounded".to_string());
-        let (run, _) = self.note("energy", bounded, energy::worst(&self.probe), energy::judge)?;
+        let (run, _) =
+            self.note(Property::Energy, bounded, energy::worst(&self.probe), energy::judge)?;
         self.report.evidence.energy = run.map(|run| run.samples).unwrap_or_default();
         self.symmetries()?;
         let shown = Shown { order, area, reversal };
@@ -213,8 +218,8 @@ impl Judge<'_> {
         let claimed =
             |found: &Measured<Finding>| found.as_ref().ok().and_then(|_| self.claims.implied());
         let [of_equation, of_output] = [claimed(&told.equation), claimed(&told.output)];
-        self.note("equation", of_equation, told.equation, Finding::clone)?;
-        self.note("output", of_output, told.output, Finding::clone)?;
+        self.note(Property::Equation, of_equation, told.equation, Finding::clone)?;
+        self.note(Property::Output, of_output, told.output, Finding::clone)?;
         self.report.departure = told.departure;
         self.report.evidence.force = told.force;
         Ok(())
@@ -239,12 +244,12 @@ impl Judge<'_> {
         }
         self.report.identity = self.report.identity.take().filter(|known| !other(known));
         self.report.mistake = known;
-        let name = self.report.mistake.map(|known| known.name.clone()).unwrap_or_default();
-        let unnamed = self.report.identity.is_none();
+        let Some(known) = self.report.mistake.filter(|_| self.report.identity.is_none()) else {
+            return;
+        };
         let findings = self.report.findings.iter_mut();
-        for finding in findings.filter(|finding| finding.name == "name" && unnamed) {
-            finding.measured = format!("the known mistake {name}");
-            finding.why = format!("its steps are those of the known mistake {name}");
+        for finding in findings.filter(|finding| finding.property == Property::Name) {
+            finding.measurement = Measurement::Mistake(&known.name);
         }
     }
 
@@ -252,14 +257,14 @@ impl Judge<'_> {
     /// numbers overflow: enough for a report if the equation is another one.
     fn broken(self, trouble: Trouble) -> Measured<Report> {
         let Self { claims, mut report, .. } = self;
-        let Some(departure) = report.departure.as_ref() else { return Err(trouble) };
-        let sentence = departure.sentence.clone();
-        report.description = match &departure.equation {
-            Some(equation) => format!("not known, on {equation}"),
-            None => "not known".to_string(),
-        };
-        report.look_at = vec![format!("{sentence}."), format!("It broke off: {trouble}.")];
-        report.findings.push(Finding { name: "order", ..Finding::nothing(trouble.to_string()) });
+        let Some(departure) = report.departure.clone() else { return Err(trouble) };
+        report.description = Description::BrokeOff(departure.equation().cloned());
+        report
+            .findings
+            .push(Finding { property: Property::Order, ..Finding::nothing(trouble.to_string()) });
+        let causes = [Cause::Equation { departure, method: None }, Cause::BrokeOff(trouble)];
+        report.advice =
+            causes.map(|cause| Advice { cause, explains: Vec::new() }).into_iter().collect();
         report.conclude(claims.are_none());
         Ok(report)
     }
@@ -268,14 +273,15 @@ impl Judge<'_> {
     /// equation that was found: a mistake is told from a few steps of one pendulum.
     fn agrees(&self, converges: bool) -> bool {
         let departure = self.report.departure.as_ref();
-        match departure.filter(|found| found.kind.place() == Place::Equation) {
-            Some(Departure { kind: Kind::Units, .. }) => converges,
+        match departure.filter(|found| found.place() == Place::Equation) {
+            Some(Departure::Units(_)) => converges,
+            // The mistake of this kind that is known has this damping.
+            Some(Departure::Damping(equation)) => equation.damping() == Some(0.1),
             // Its numbers are others, or may be.
-            Some(Departure { kind: Kind::Values | Kind::Torque, .. }) => false,
-            Some(Departure { kind: Kind::Damping, sentence, .. }) => sentence.ends_with(" 0.1/s"),
+            Some(found) if matches!(found.kind(), Kind::Values | Kind::Torque) => false,
             Some(_) => !converges,
             None => {
-                let equation = self.report.finding("equation");
+                let equation = self.report.finding(Property::Equation);
                 let right = equation.is_some_and(|found| found.verdict == Verdict::Holds);
                 !right || converges || self.name.one().is_some()
             }
@@ -288,7 +294,7 @@ impl Judge<'_> {
         let ladder = order::ladder(&self.probe, claimed.unwrap_or(4));
         let text = claimed.map(|order| order.to_string());
         let (ladder, _) =
-            self.note("order", text, ladder, |ladder| order::judge(ladder, claimed))?;
+            self.note(Property::Order, text, ladder, |ladder| order::judge(ladder, claimed))?;
         let Some(ladder) = ladder else { return Ok(None) };
         let shown = order::shown(&ladder);
         self.report.evidence.ladder = ladder.rungs;
@@ -298,34 +304,34 @@ impl Judge<'_> {
     /// What everybody claims, and the evaluations.
     fn symmetries(&mut self) -> Measured<()> {
         let apart = symmetry::mirror(&self.probe);
-        self.note("mirror", self.claims.implied(), apart, |apart| apart.judge(false))?;
+        self.note(Property::Mirror, self.claims.implied(), apart, |apart| apart.judge(false))?;
         let apart = symmetry::units(&self.probe);
-        self.note("units", self.claims.implied(), apart, |apart| apart.judge(true))?;
-        let wrapped = self.report.departure.clone().filter(|found| found.kind == Kind::Wrapped);
+        self.note(Property::Units, self.claims.implied(), apart, |apart| apart.judge(true))?;
+        let wrapped = self.report.departure.clone();
+        let wrapped = wrapped.filter(|found| found.kind() == Kind::Wrapped);
         let apart = symmetry::turn(&self.probe);
-        self.note("turn", self.claims.implied(), apart, |apart| match &wrapped {
+        self.note(Property::Turn, self.claims.implied(), apart, |apart| match &wrapped {
             Some(departure) => Finding {
-                measured: departure.sentence.clone(),
-                why: equation::NOT_THE_METHOD.to_string(),
+                measurement: Measurement::OtherOutput(departure.clone()),
                 ..Finding::number(apart.largest, "rad", apart.bound, Verdict::Fails)
             },
             None => apart.judge(true),
         })?;
         let clock = replies::clock(&self.probe);
-        self.note("clock", self.claims.implied(), clock, replies::Clock::judge)?;
+        self.note(Property::Clock, self.claims.implied(), clock, replies::Clock::judge)?;
         let claimed = self.claims.evaluations;
         let text = claimed.map(|a_step| format!("{a_step} a step"));
         let counted = replies::counted(&self.probe);
-        self.note("evaluations", text, counted, |&counted| {
+        self.note(Property::Evaluations, text, counted, |&counted| {
             replies::judge_evaluations(counted, claimed)
         })?;
         let other = replies::other_answers(&self.probe);
-        self.note("repeatable", self.claims.implied(), other, |&other| {
+        self.note(Property::Repeatable, self.claims.implied(), other, |&other| {
             replies::judge_repeatable(other)
         })?;
         let rounding = self.probe.measured_rounding.clone();
         let cut_off = self.cut_off.take();
-        self.note("precision", self.claims.implied(), rounding, |&rounding| {
+        self.note(Property::Precision, self.claims.implied(), rounding, |&rounding| {
             replies::judge_precision(rounding, cut_off.as_ref())
         })?;
         self.report.departure = self.report.departure.take().or(cut_off);
@@ -357,9 +363,9 @@ impl Judge<'_> {
         let loss = loss.unwrap_or_else(|| {
             Err(Trouble::NoAnswer("it has nothing that would not lose".to_string()))
         });
-        self.note("loss", claimed, loss, loss::Loss::judge)?;
+        self.note(Property::Loss, claimed, loss, loss::Loss::judge)?;
         let name = self.name.clone();
-        self.note("name", claims.name.clone(), identity, |identity| {
+        self.note(Property::Name, claims.name.clone(), identity, |identity| {
             identity::judge(&name, identity.as_ref(), claims)
         })?;
         self.description(shown);
@@ -369,59 +375,45 @@ impl Judge<'_> {
 
     /// The method that it is, on the equation that it solves.
     fn identified(&self, shown: Option<u32>) -> Measured<Option<Identity>> {
-        let output = self.report.departure.as_ref().map(|found| found.kind.place());
+        let output = self.report.departure.as_ref().map(Departure::place);
         let changed = output == Some(Place::Output);
         let looked = match &self.looked {
             Ok(Some(looked)) => looked,
             _ => return identity::identify(&self.probe, &self.name, shown, changed),
         };
         let Looked { departure, solved, .. } = looked;
-        let Some(departure) = departure.as_ref().filter(|it| it.kind.place() == Place::Equation)
-        else {
+        let Some(departure) = departure.as_ref().filter(|it| it.place() == Place::Equation) else {
             return identity::identify(&self.probe, &self.name, shown, changed);
         };
         let Some(solved) = solved else { return Ok(None) };
         let solver = solved.method(&identity::Asked::of(&self.probe)?);
-        let equation = departure.equation.as_deref().unwrap_or("another equation");
-        Ok(solver.map(|solver| Identity::solving(solver, equation)))
+        let solver = solver.zip(departure.equation().cloned());
+        Ok(solver.map(|(solver, equation)| Identity::solving(solver, equation)))
     }
 
     /// What is to be said of a step that is none of the list's.
     fn description(&mut self, shown: Shown) {
-        let told = |verdict: Verdict, holds: &str, fails: &str| match verdict {
-            Verdict::Holds => Some(holds.to_string()),
-            Verdict::Fails => Some(fails.to_string()),
-            _ => None,
-        };
-        let order = self.report.finding("order").filter(|order| !order.values.is_empty());
-        let order = order.map(|_| match shown.order {
-            Some(order) => format!("order {order}"),
-            None => "no clear order".to_string(),
-        });
-        let properties = [
-            order,
-            told(shown.area, "keeps area", "does not keep area"),
-            told(shown.reversal, "symmetric", "not symmetric"),
-        ];
-        let properties: Vec<String> = properties.into_iter().flatten().collect();
-        let error = shown.order.filter(|order| (1..=8).contains(order));
-        let error = error.and_then(|order| identity::error_in_words(&self.probe, order).ok());
         if let Name::OneOf(those) = &self.name {
-            let those = identity::may_be(those);
-            self.report.description = format!("{those}, for all that its digits tell");
+            self.report.description = Description::OneOf(identity::may_be(those));
             return;
         }
         let departure = self.report.departure.as_ref();
-        if let Some(equation) = departure.and_then(|found| found.equation.as_deref()) {
-            self.report.description = format!("none of the known methods, on {equation}");
+        if let Some(equation) = departure.and_then(Departure::equation) {
+            self.report.description = Description::On(equation.clone());
             return;
         }
-        self.report.description = if properties.is_empty() {
-            "not known, as nothing that would tell was measured".to_string()
-        } else {
-            let error = error.map(|error| format!("; {error}")).unwrap_or_default();
-            format!("none of the known methods: {}{error}", properties.join(", "))
+        let told = |verdict: Verdict| match verdict {
+            Verdict::Holds => Some(true),
+            Verdict::Fails => Some(false),
+            _ => None,
         };
+        let order = self.report.finding(Property::Order);
+        let order = order.filter(|order| !order.values.is_empty()).map(|_| shown.order);
+        let error = shown.order.filter(|order| (1..=8).contains(order));
+        let error = error
+            .and_then(|order| Some((order, identity::leading_error(&self.probe, order).ok()?)));
+        let (area, symmetric) = (told(shown.area), told(shown.reversal));
+        self.report.description = Description::Step { order, area, symmetric, error };
     }
 
     /// Stages that know the time, where there is a drive: at the order that is claimed, or shown.
@@ -437,7 +429,7 @@ impl Judge<'_> {
             Err(Trouble::NoAnswer(_)) => None,
             _ => self.claims.implied(),
         };
-        self.note("stage-times", claimed, driven, |driven| {
+        self.note(Property::StageTimes, claimed, driven, |driven| {
             stage_times::judge(driven, order.unwrap_or_default())
         })?;
         Ok(())

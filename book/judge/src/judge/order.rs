@@ -1,8 +1,8 @@
 //! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
 
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency};
-use super::report::{Finding, slopes};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{Finding, Measurement, Slopes};
 use crate::stranger::Request;
 use pendula::systems::Phase;
 
@@ -113,25 +113,24 @@ pub fn shown(ladder: &Ladder) -> Option<u32> {
 
 /// What is to be said of a claim of order `claimed`; without one, what was measured.
 pub fn judge(ladder: &Ladder, claimed: Option<u32>) -> Finding {
-    let (verdict, why) = match claimed {
+    let (verdict, slopes) = match claimed {
         Some(order) => verdict(ladder, order),
-        None => (Verdict::Unclaimed, String::new()),
+        None => (Verdict::Unclaimed, Slopes::Unclaimed),
     };
-    let line = slopes(&ladder.slopes);
-    let measured = if line.is_empty() { "no slope".into() } else { format!("slopes {line}") };
-    Finding { measured, values: ladder.slopes.clone(), verdict, why, ..Finding::default() }
+    let (measurement, values) = (Measurement::Slopes(slopes), ladder.slopes.clone());
+    Finding { measurement, values, verdict, ..Finding::default() }
 }
 
 /// The verdict on a claim of order `claimed`, and why.
-pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
+pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, Slopes) {
     let order = f64::from(claimed);
     let Ladder { rungs, slopes, leading } = ladder;
     let finest = &slopes[*leading..];
     let Some(&last) = finest.last() else {
-        return (Verdict::Unclear, "too few steps lie between coarse and rounding".to_string());
+        return (Verdict::Unclear, Slopes::TooFew);
     };
     if claimed > 8 {
-        return high(ladder, order);
+        return high(ladder, claimed);
     }
     let off = |slope: &f64| (slope - order).abs();
     let nearest = finest.iter().map(off).fold(f64::INFINITY, f64::min);
@@ -143,26 +142,21 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     // A slope that leaves the order again, by more than rounding can bend it, is that of a lower
     // order which comes to the fore.
     if nearest < 0.05 && last < order - 0.2 - bent {
-        let why = "as the steps become short the slopes leave it: a term of lower order";
-        return (Verdict::Fails, why.to_string());
+        return (Verdict::Fails, Slopes::Leave);
     }
     if off(&last) <= 0.2 + bent {
-        return (Verdict::Holds, "the slopes tend to it as the steps become short".to_string());
+        return (Verdict::Holds, Slopes::Tend);
     }
     if let Some(verdict) = beyond(ladder, claimed, order) {
         return verdict;
     }
     if last > order && comes_down(ladder, order) {
-        return (
-            Verdict::Holds,
-            "the slopes come down to it as the steps become short".to_string(),
-        );
+        return (Verdict::Holds, Slopes::ComeDown);
     }
     // Errors that do not fall, and are as small as a solver's tolerance, tell nothing of an order.
     let largest = rungs.iter().map(|rung| rung.1).fold(0.0, f64::max);
     if largest < 1e-8 && last < 0.5 {
-        let why = "the error does not fall, and is as small as that of a tolerance inside it";
-        return (Verdict::Unclear, why.to_string());
+        return (Verdict::Unclear, Slopes::NoFall);
     }
     let moved = finest.len() < 2 || (last - finest[finest.len() - 2]).abs() > 0.1;
     let towards = moved && off(&last) < off(&finest[finest.len().saturating_sub(2)]);
@@ -170,11 +164,10 @@ pub fn verdict(ladder: &Ladder, claimed: u32) -> (Verdict, String) {
     let whole = libm::round(last);
     let elsewhere = !moved && whole != order && (last - whole).abs() < 0.08;
     let settled = !moved || finest.iter().rev().take(2).all(|s| *s < order - 0.5 - bent);
-    let told = super::report::slopes(&[last]);
     if elsewhere || (last < order && !towards && settled) {
-        (Verdict::Fails, format!("the finest slope is {told}"))
+        (Verdict::Fails, Slopes::Settled(last))
     } else {
-        (Verdict::Unclear, format!("the finest slope is {told}, on its way or between orders"))
+        (Verdict::Unclear, Slopes::Between(last))
     }
 }
 
@@ -196,37 +189,33 @@ fn comes_down(Ladder { rungs, slopes, leading }: &Ladder, order: f64) -> bool {
 
 /// The verdict where no order is claimed that would have to be told from its neighbours: of errors
 /// that grow as the steps become short, and of a method that is better than claimed.
-fn beyond(ladder: &Ladder, claimed: u32, order: f64) -> Option<(Verdict, String)> {
+fn beyond(ladder: &Ladder, claimed: u32, order: f64) -> Option<(Verdict, Slopes)> {
     let Ladder { rungs, slopes, leading } = ladder;
     let grows = |pair: &[(f64, f64)]| pair[1].1 > 1.1 * pair[0].1;
     if rungs.len() >= 4 && rungs[rungs.len() - 4..].windows(2).all(grows) {
-        let why = "the shorter the step, the larger the error";
-        return Some((Verdict::Fails, why.to_string()));
+        return Some((Verdict::Fails, Slopes::Grows));
     }
     // At least two slopes are half an order steeper, and none less than what is claimed.
     let finest = &slopes[*leading..];
     let steep = finest.len() >= 2 && finest[finest.len() - 2..].iter().all(|s| *s > order + 0.5);
     let shown = shown(ladder).filter(|shown| *shown > claimed)?;
-    steep.then(|| (Verdict::Holds, format!("better: {shown}, not {claimed}")))
+    steep.then(|| (Verdict::Holds, Slopes::Better { shown, claimed }))
 }
 
 /// The same beyond order 8. At steps that are not short against the motion's own time an error is
 /// between half and twice its leading term, and a slope over the factor f in the step is uncertain
 /// by ln 4 / ln f.
-fn high(Ladder { rungs, leading, .. }: &Ladder, order: f64) -> (Verdict, String) {
+fn high(Ladder { rungs, leading, .. }: &Ladder, claimed: u32) -> (Verdict, Slopes) {
+    let order = f64::from(claimed);
     let last = rungs[rungs.len() - 1];
     let first = rungs[(*leading).max(rungs.len().saturating_sub(4))];
     let factor = libm::log(first.0 / last.0);
     let (slope, window) = (libm::log(first.1 / last.1) / factor, libm::log(4.0) / factor);
-    let why = format!(
-        "over the finest steps the slope is {slope:.1}; steps that show order {order} are long, \
-         where a slope is known to ± {window:.1}"
-    );
     let off = (slope - order).abs();
     let verdict = if window > order / 4.0 {
         Verdict::Unclear
     } else {
         Verdict::of(off, window, 2.0 * window)
     };
-    (verdict, why)
+    (verdict, Slopes::Long { order: claimed, slope, window })
 }

@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use super::equation::{Departure, Kind};
+use super::equation::Departure;
 use super::verdict::{Measured, Trouble, checked};
 use crate::stranger::{Chosen, Reply, Request, Stranger};
 use pendula::AnyMethod;
@@ -92,9 +92,9 @@ impl<'s> Probe<'s> {
 
     /// Of numbers of which digits are `cut_off`: those of order 1 round by half of the last one.
     pub fn printing(self, cut_off: Option<&Departure>) -> Self {
-        let rounding = cut_off.and_then(|found| match (found.kind, &found.values[..]) {
-            (Kind::Digits, [digits]) => Some(0.5 * libm::pow(10.0, 1.0 - digits)),
-            (Kind::Decimals, [decimals]) => Some(0.5 * libm::pow(10.0, -decimals)),
+        let rounding = cut_off.and_then(|found| match *found {
+            Departure::Digits(digits) => Some(0.5 * libm::pow(10.0, 1.0 - digits as f64)),
+            Departure::Decimals(decimals) => Some(0.5 * libm::pow(10.0, -(decimals as f64))),
             _ => None,
         });
         let rounding = rounding.map_or(self.rounding, |rounding| self.rounding.max(rounding));

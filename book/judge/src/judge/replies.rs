@@ -3,43 +3,39 @@
 
 use super::equation::Departure;
 use super::probe::{Probe, distance, step};
-use super::report::{Finding, about};
 use super::verdict::{Measured, Verdict};
+use crate::finding::{Finding, Measurement, OtherAnswer};
 use crate::stranger::Request;
 use pendula::systems::Phase;
 
 /// In which way the same request has other answers; `None` if they are the same, to the bit, at
 /// once and after others.
-pub fn other_answers(probe: &Probe<'_>) -> Measured<Option<&'static str>> {
+pub fn other_answers(probe: &Probe<'_>) -> Measured<Option<OtherAnswer>> {
     let run = Request::run(Phase { theta: 0.8, omega: -0.9 }, step(0.1), 50);
     let first = probe.states(run)?;
     if probe.states(run)? != first {
-        return Ok(Some("the same request has another answer the second time"));
+        return Ok(Some(OtherAnswer::SecondTime));
     }
     probe.states(Request::run(Phase { theta: -2.0, omega: 5.0 }, step(0.23), 31).with(2.5))?;
     if probe.states(run)? != first {
-        return Ok(Some("the answer depends on the request before it"));
+        return Ok(Some(OtherAnswer::AfterAnother));
     }
     let every = probe.states(run.every(5))?;
     let thinned: Vec<Phase> = first.iter().skip(4).step_by(5).copied().collect();
     // A program that goes from one to the next of them by runs of its own may round otherwise.
     let apart = every.iter().zip(&thinned).map(|(a, b)| distance(*a, *b)).fold(0.0, f64::max);
     if apart > probe.bound(50, 0.1) {
-        return Ok(Some("every fifth state of a run is another one if only those are asked for"));
+        return Ok(Some(OtherAnswer::Thinned));
     }
     Ok(None)
 }
 
 /// What is to be said of a claim that answers can be repeated.
-pub fn judge_repeatable(other: Option<&'static str>) -> Finding {
-    let (measured, verdict, why) = match other {
-        None => ("the same bits", Verdict::Holds, "to the bit"),
-        Some(why) => ("other answers", Verdict::Fails, why),
-    };
+pub fn judge_repeatable(other: Option<OtherAnswer>) -> Finding {
+    let verdict = if other.is_some() { Verdict::Fails } else { Verdict::Holds };
     let differences = f64::from(u8::from(other.is_some()));
     Finding {
-        measured: measured.to_string(),
-        why: why.to_string(),
+        measurement: Measurement::SameAnswers(other),
         ..Finding::number(differences, "differences", 0.0, verdict)
     }
 }
@@ -99,17 +95,9 @@ impl Clock {
     pub fn judge(&self) -> Finding {
         let Self { steps_apart, bound, steps } = *self;
         let verdict = Verdict::of(steps_apart, bound.max(KEPT), 0.5);
-        let what = match verdict {
-            Verdict::Holds if steps_apart <= bound => ": rounding",
-            Verdict::Holds => ": what it keeps of the past is of no more weight",
-            _ => "",
-        };
+        let remembers = steps_apart > bound;
         Finding {
-            measured: format!("{steps_apart:.2} steps apart"),
-            why: format!(
-                "{steps} steps in one piece and in several differ by {steps_apart:.2} steps' \
-                 worth{what}"
-            ),
+            measurement: Measurement::InPieces { steps, remembers },
             ..Finding::number(steps_apart, "steps", bound.max(KEPT), verdict)
         }
     }
@@ -125,13 +113,8 @@ const COARSER: f64 = 1e-11;
 /// What is to be said of a claim of double precision, of a program that may have cut off digits of
 /// its numbers.
 pub fn judge_precision(rounding: f64, cut_off: Option<&Departure>) -> Finding {
-    let why = match cut_off {
-        Some(cut_off) => cut_off.sentence.clone(),
-        None => format!("a step rounds by {} of a state of order 1", about(rounding)),
-    };
     Finding {
-        measured: about(rounding).to_string(),
-        why,
+        measurement: Measurement::Rounding { cut_off: cut_off.cloned() },
         ..Finding::number(rounding, "", DOUBLE, Verdict::of(rounding, DOUBLE, COARSER))
     }
 }
@@ -156,11 +139,10 @@ pub fn judge_evaluations(counted: Option<f64>, a_step: Option<u64>) -> Finding {
     let right = a_step.is_some_and(|a_step| counted == a_step as f64);
     let verdict = if right { Verdict::Holds } else { Verdict::Fails };
     Finding {
-        measured: format!("{counted} a step"),
+        measurement: Measurement::Counted,
         values: vec![counted],
         unit: "a step",
         verdict,
-        why: "counted over a thousand steps".to_string(),
         ..Finding::default()
     }
 }

@@ -1,62 +1,17 @@
-//! What the judge found, and how its numbers are written.
+//! What the judge found.
 
-use core::fmt;
-
+use super::advice::{self, Advice};
 use super::claims::Claims;
-use super::equation::Departure;
-use super::identity::{self, Identity};
-use super::look;
+use super::equation::{Departure, Equation};
+use super::identity::Identity;
+use super::resemblance::Resemblance;
 use super::verdict::{Measured, Trouble, Verdict};
-use crate::known_answers::{self, Known};
+use crate::known_answers::Known;
+use crate::property::Property;
 use pendula::systems::Phase;
 
-/// What was found of one property.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct Finding {
-    /// The property.
-    pub name: &'static str,
-    /// What is claimed; "implied" for what everybody claims as soon as anything is claimed.
-    pub claimed: Option<String>,
-    /// What was measured, in words.
-    pub measured: String,
-    /// The numbers of it, in [`unit`](Self::unit); none if it was not measured.
-    pub values: Vec<f64>,
-    /// The unit of the numbers: "rad", "a step"; empty for pure numbers.
-    pub unit: &'static str,
-    /// What the value may be at most where the claim holds, if one number decides.
-    pub bound: Option<f64>,
-    /// What is to be said of the claim.
-    pub verdict: Verdict,
-    /// The bound, where it comes from, and what follows; or why it was not measured.
-    pub why: String,
-}
-
-impl Finding {
-    /// One number, which `bound` decides.
-    pub(crate) fn number(value: f64, unit: &'static str, bound: f64, verdict: Verdict) -> Self {
-        Self { values: vec![value], unit, bound: Some(bound), verdict, ..Self::default() }
-    }
-
-    /// That nothing is known, and why.
-    pub(crate) fn nothing(why: String) -> Self {
-        Self { measured: "–".to_string(), why, ..Self::default() }
-    }
-}
-
-/// What a measurement that was not had says: a stranger without an answer was not measured, one
-/// with a wrong answer fails.
-impl From<Trouble> for Finding {
-    fn from(trouble: Trouble) -> Self {
-        match trouble {
-            Trouble::NoAnswer(why) => Self::nothing(why),
-            other => {
-                let why = other.to_string();
-                Self { verdict: Verdict::Fails, measured: why.clone(), why, ..Self::default() }
-            }
-        }
-    }
-}
+pub use crate::finding::Finding;
+pub use crate::words::numbers::{about, scientific};
 
 /// Measurements that a report can draw.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -89,45 +44,84 @@ pub struct Report {
     pub identity: Option<Identity>,
     /// In what it departs from the pendulum that is asked for, if it does.
     pub departure: Option<Departure>,
-    /// What it is but for one thing, if a claim fails: "Störmer–Verlet, but each step lacks its
-    /// first half kick".
-    pub resembles: Option<String>,
+    /// What it is but for one thing, if a claim fails.
+    pub resembles: Option<Resemblance>,
     /// The known mistake that it makes, if a claim fails or none is made.
     pub mistake: Option<&'static Known>,
-    /// What is to be said of its step where it is none: order, symmetry and leading error.
-    pub description: String,
-    /// What is to be said of it as a solver, where it was judged as both.
-    pub solver: Option<String>,
-    /// What to look at to mend it: at most three sentences, the cause first.
-    pub look_at: Vec<String>,
+    /// What is known of it where it is no known method.
+    pub description: Description,
+    /// What is known of it as a solver, where it was judged as both.
+    pub solver: Option<Description>,
+    /// What to look at to mend it: at most three causes, that of most failures first.
+    pub advice: Vec<Advice>,
     /// Property by property.
     pub findings: Vec<Finding>,
     /// What a report can draw.
     pub evidence: Evidence,
 }
 
+/// What is known of a program that is no known method.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Description {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// It is one of these methods, as far as its digits tell.
+    OneOf(Vec<&'static str>),
+    /// It solves another equation, by none of the known methods.
+    On(Equation),
+    /// It ended before more was measured; on this equation, if it is another one.
+    BrokeOff(Option<Equation>),
+    /// What its properties are, as far as they were measured.
+    Step {
+        /// Whether an order was measured, and if it is clear, which.
+        order: Option<Option<u32>>,
+        /// Whether a step preserves area.
+        area: Option<bool>,
+        /// Whether a step is symmetric.
+        symmetric: Option<bool>,
+        /// The leading error of a step at (1 rad, ω₀), in θ and ω/ω₀, over x to the power order + 1.
+        error: Option<(u32, [f64; 2])>,
+    },
+    /// A solver: its order and the power of its estimate, each with its uncertainty.
+    Solver {
+        /// The order.
+        order: Option<[f64; 2]>,
+        /// The power of the estimate.
+        estimate: Option<[f64; 2]>,
+    },
+    /// It does not solve.
+    SolvesNothing,
+}
+
 impl Report {
-    /// The finding of this name.
-    pub fn finding(&self, name: &str) -> Option<&Finding> {
-        self.findings.iter().find(|finding| finding.name == name)
+    /// The finding of this property.
+    pub fn finding(&self, property: Property) -> Option<&Finding> {
+        self.findings.iter().find(|finding| finding.property == property)
     }
 
-    /// Names of the claimed properties with this verdict.
-    fn claimed(&self, verdict: Verdict) -> impl Iterator<Item = &'static str> {
+    /// The finding of this property, if it has this verdict.
+    pub(crate) fn found(&self, property: Property, verdict: Verdict) -> Option<&Finding> {
+        self.finding(property).filter(|finding| finding.verdict == verdict)
+    }
+
+    /// The claimed properties with this verdict.
+    pub(crate) fn claimed(&self, verdict: Verdict) -> impl Iterator<Item = Property> {
         let those = self.findings.iter().filter(|finding| finding.claimed.is_some());
-        those.filter(move |finding| finding.verdict == verdict).map(|finding| finding.name)
+        those.filter(move |finding| finding.verdict == verdict).map(|finding| finding.property)
     }
 
-    /// Names of the properties whose claims fail.
-    pub fn failures(&self) -> impl Iterator<Item = &'static str> {
+    /// The properties whose claims fail.
+    pub fn failures(&self) -> impl Iterator<Item = Property> {
         self.claimed(Verdict::Fails)
     }
 
-    /// Notes what was found of the property `name`, and returns its verdict. What nobody claims is
-    /// said and not judged. Only a broken protocol ends it all.
+    /// Notes what was found of a property, and returns its verdict. What nobody claims is noted and
+    /// not judged. Only a broken protocol ends it all.
     pub(crate) fn note(
         &mut self,
-        name: &'static str,
+        property: Property,
         claimed: Option<String>,
         found: Measured<Finding>,
     ) -> Measured<Verdict> {
@@ -141,7 +135,7 @@ impl Report {
             _ if claimed.is_none() => Verdict::Unclaimed,
             _ => shown,
         };
-        self.findings.push(Finding { name, claimed, verdict, ..told });
+        self.findings.push(Finding { property, claimed, verdict, ..told });
         Ok(shown)
     }
 
@@ -164,12 +158,12 @@ impl Report {
     pub(crate) fn without_word<const N: usize>(
         mut self,
         word: &str,
-        claims: [(&'static str, Option<String>); N],
+        claims: [(Property, Option<String>); N],
     ) -> Self {
         let made = claims.into_iter().filter(|(_, claimed)| claimed.is_some());
-        let unknown = made.map(|(name, claimed)| {
+        let unknown = made.map(|(property, claimed)| {
             let why = format!("it does not know {word}");
-            Finding { name, claimed, ..Finding::nothing(why) }
+            Finding { property, claimed, ..Finding::nothing(why) }
         });
         let before = self.findings.len();
         self.findings.extend(unknown);
@@ -184,72 +178,25 @@ impl Report {
     /// such as order, the solver's is called solve-order.
     pub fn joined_with_solver(mut self, solver: Self) -> Self {
         // What the one does not know, the other does.
-        let of_a_solver = Claims::none().of_a_solver().map(|(name, _)| name);
-        let of_steps = Claims::none().of_steps().map(|(name, _)| name);
-        self.findings.retain(|finding| !of_a_solver.contains(&finding.name));
-        self.solver = Some(solver.what_it_is());
+        let of_a_solver = Claims::none().of_a_solver().map(|(property, _)| property);
+        let of_steps = Claims::none().of_steps().map(|(property, _)| property);
+        self.findings.retain(|finding| !of_a_solver.contains(&finding.property));
+        self.solver = Some(solver.description);
         let findings = solver.findings.into_iter();
-        let findings = findings.filter(|finding| !of_steps.contains(&finding.name));
-        self.findings.extend(findings.map(|it| Finding { name: beside_steps(it.name), ..it }));
-        self.look_at.extend(solver.look_at);
-        self.look_at.truncate(look::MOST);
+        let findings = findings.filter(|finding| !of_steps.contains(&finding.property));
+        self.findings
+            .extend(findings.map(|it| Finding { property: it.property.of_solver(), ..it }));
+        self.advice.extend(solver.advice);
+        self.advice.truncate(advice::MOST);
         self.evidence.tolerances = solver.evidence.tolerances;
         self.evidence.outputs = solver.evidence.outputs;
         self.conclude(!self.anything_claimed());
         self
     }
 
-    /// What it is, in words without a full stop.
-    pub fn what_it_is(&self) -> String {
-        let steps = self.what_its_steps_are();
-        match &self.solver {
-            Some(solver) => format!("{steps}; with a tolerance, it is {solver}"),
-            None => steps,
-        }
-    }
-
-    /// What it is by its equal steps, or, of what is a solver alone, what that is.
-    fn what_its_steps_are(&self) -> String {
-        let of_mistake = || {
-            let known = self.mistake?;
-            let of = known_answers::method(&known.mistake.as_ref()?.of)?;
-            let (_, title) = identity::names(of);
-            Some(format!("{title} with a known mistake, {}", known.name))
-        };
-        let identity = self.identity.as_ref().map(Identity::to_string);
-        let known = identity.or_else(of_mistake).or_else(|| self.resembles.clone());
-        known.unwrap_or_else(|| self.description.clone())
-    }
-
     /// Whether claims were made.
-    fn anything_claimed(&self) -> bool {
+    pub(crate) fn anything_claimed(&self) -> bool {
         self.findings.iter().any(|finding| finding.claimed.is_some())
-    }
-
-    /// The verdict in a sentence.
-    pub fn summary(&self) -> String {
-        if !self.anything_claimed() {
-            return match self.verdict {
-                Verdict::NotMeasured => "No claims made, and nothing was measured.".to_string(),
-                _ => format!("No claims made. It is {}.", self.what_it_is()),
-            };
-        }
-        let named = |verdict, before: &str| {
-            let names: Vec<&str> = self.claimed(verdict).collect();
-            (!names.is_empty()).then(|| format!("{before}{}", names.join(", ")))
-        };
-        let many = self.failures().nth(1).is_some();
-        let parts = [
-            named(Verdict::Fails, if many { "Claims fail: " } else { "A claim fails: " }),
-            named(Verdict::NotMeasured, "not measured: "),
-            named(Verdict::Unclear, "unclear: "),
-        ];
-        let parts: Vec<String> = parts.into_iter().flatten().collect();
-        match self.verdict {
-            Verdict::Holds => "Every claim holds.".to_string(),
-            Verdict::Fails => format!("{}.", parts.join("; ")),
-            _ => format!("No claim fails, but not every one is shown; {}.", parts.join("; ")),
-        }
     }
 
     /// Panics with the report unless every claim was measured and holds.
@@ -260,119 +207,6 @@ impl Report {
     pub fn assert(&self) {
         assert!(self.verdict == Verdict::Holds, "\n{self}");
     }
-}
-
-/// The name of a property of a solver in a report that has those of equal steps too.
-fn beside_steps(name: &'static str) -> &'static str {
-    match name {
-        "order" => "solve-order",
-        "output" => "solve-output",
-        "precision" => "solve-precision",
-        "mirror" => "solve-mirror",
-        "units" => "solve-units",
-        "turn" => "solve-turn",
-        "repeatable" => "solve-repeatable",
-        other => other,
-    }
-}
-
-/// The most characters to which a column is filled up: a formatter panics beyond 65 535, and a name
-/// that is claimed may be of any length.
-const WIDEST: usize = 100;
-
-/// The report as a table.
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let claimed =
-            |finding: &Finding| finding.claimed.clone().unwrap_or_else(|| "–".to_string());
-        let rows = || {
-            let rows = self.findings.iter();
-            rows.map(|x| [x.name.to_string(), claimed(x), x.verdict.name().to_string()])
-        };
-        let head = ["property", "claimed", "verdict"].map(str::to_string);
-        let widths = rows().chain([head.clone()]).fold([0; 3], |widths, row| {
-            core::array::from_fn(|i| widths[i].max(row[i].chars().count()).min(WIDEST))
-        });
-        let padded = |row: [String; 3]| {
-            let cells = row.into_iter().zip(widths);
-            let cells = cells.map(|(cell, width)| format!("{cell:width$}  "));
-            cells.collect::<String>()
-        };
-        writeln!(f, "{}measured", padded(head))?;
-        for (finding, row) in self.findings.iter().zip(rows()) {
-            let Finding { measured, verdict, why, .. } = finding;
-            match verdict {
-                Verdict::NotMeasured => writeln!(f, "{}{why}", padded(row))?,
-                _ => writeln!(f, "{}{measured}", padded(row))?,
-            }
-            if matches!(verdict, Verdict::Fails | Verdict::Unclear) {
-                writeln!(f, "    {}: {why}", verdict.name())?;
-            }
-        }
-        if !self.look_at.is_empty() {
-            writeln!(f, "\nWhat to look at:")?;
-            for line in &self.look_at {
-                writeln!(f, "  • {line}")?;
-            }
-        }
-        writeln!(f)?;
-        if self.anything_claimed() {
-            writeln!(f, "What it is: {}.", self.what_it_is())?;
-        }
-        writeln!(f, "{}", self.summary())
-    }
-}
-
-// -------------------------------------------------------------------------------------------------
-// Numbers, as the book prints them
-// -------------------------------------------------------------------------------------------------
-
-/// A number in scientific notation with this many digits after the point: 8.0 × 10⁻¹⁵; 0 is 0.
-#[derive(Clone, Copy, Debug)]
-pub struct Scientific(pub f64, pub usize);
-
-impl fmt::Display for Scientific {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(value, digits) = *self;
-        if value == 0.0 || !value.is_finite() {
-            return write!(f, "{value:.0}");
-        }
-        let text = format!("{value:.digits$e}").replace('-', "−");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        if exponent == "0" {
-            return f.write_str(mantissa);
-        }
-        let raised = |c: char| match c {
-            '−' => '⁻',
-            digit => DIGITS[digit.to_digit(10).unwrap_or(0) as usize],
-        };
-        write!(f, "{mantissa} × 10{}", exponent.chars().map(raised).collect::<String>())
-    }
-}
-
-const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-
-/// A whole number as an exponent: ⁴.
-pub fn raised(power: usize) -> String {
-    power.to_string().chars().map(|c| DIGITS[c.to_digit(10).unwrap_or(0) as usize]).collect()
-}
-
-/// With one digit after the point.
-pub fn scientific(value: f64) -> Scientific {
-    Scientific(value, 1)
-}
-
-/// A bound, of which only the size matters.
-pub fn about(value: f64) -> Scientific {
-    Scientific(value, 0)
-}
-
-/// Slopes, with two digits: "2.11, 2.00, −0.03".
-pub fn slopes(slopes: &[f64]) -> String {
-    // Without the sign of a slope that rounds to zero.
-    let text = slopes.iter().map(|slope| format!("{slope:.2}").replace('-', "−"));
-    let text = text.map(|text| if text == "−0.00" { "0.00".to_string() } else { text });
-    text.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
@@ -386,47 +220,52 @@ mod tests {
 
     /// What is said of the claim of this property.
     #[track_caller]
-    fn said<'r>(report: &'r Report, name: &str) -> (Option<&'r str>, Verdict, &'r str) {
-        let mut those = report.findings.iter().filter(|finding| finding.name == name);
+    fn said(report: &Report, property: Property) -> (Option<&str>, Verdict, String) {
+        let mut those = report.findings.iter().filter(|finding| finding.property == property);
         let (Some(finding), None) = (those.next(), those.next()) else {
-            panic!("{name}: {report}")
+            panic!("{property}: {report}")
         };
-        (finding.claimed.as_deref(), finding.verdict, &finding.why)
+        (finding.claimed.as_deref(), finding.verdict, finding.why())
     }
 
     /// Catches: a claim of a solver made of what takes equal steps, or the other way round, that is
     /// dropped in silence, holds, fails, or is said of what nobody claims.
     #[test]
     fn a_claim_that_has_no_word_is_not_measured() {
-        let unknown = |claimed, why| (Some(claimed), Verdict::NotMeasured, why);
+        let unknown = |claimed, why: &str| (Some(claimed), Verdict::NotMeasured, why.to_string());
         let claims = Claims::order(2).symplectic().estimate(5).free_outputs().crossings();
         let steps = judge(&StormerVerlet, claims);
-        for (name, claimed) in
-            [("estimate", "5"), ("free-outputs", "free"), ("crossings", "crossings")]
-        {
+        for (name, claimed) in [
+            (Property::Estimate, "5"),
+            (Property::FreeOutputs, "free"),
+            (Property::Crossings, "crossings"),
+        ] {
             assert_eq!(said(&steps, name), unknown(claimed, "it does not know solve"));
         }
-        assert_eq!((steps.verdict, said(&steps, "area").1), (Verdict::NotMeasured, Verdict::Holds));
+        assert_eq!(
+            (steps.verdict, said(&steps, Property::Area).1),
+            (Verdict::NotMeasured, Verdict::Holds)
+        );
         let of_another = judge(&StormerVerlet, Claims::order(4).estimate(5));
         assert_eq!(of_another.verdict, Verdict::Fails);
         for claims in [Claims::none(), Claims::order(2)] {
-            assert_eq!(judge(&StormerVerlet, claims).finding("estimate"), None);
+            assert_eq!(judge(&StormerVerlet, claims).finding(Property::Estimate), None);
         }
 
         let solver = ByTolerance::new(DormandPrince);
         let claims = Claims::order(5).symplectic().symmetric().bounded_energy();
         let solver = judge_solver(&solver, claims.evaluations(6).name("dormand-prince"));
         for (name, claimed) in [
-            ("area", "symplectic"),
-            ("reversal", "symmetric"),
-            ("energy", "bounded"),
-            ("evaluations", "6 a step"),
-            ("name", "dormand-prince"),
+            (Property::Area, "symplectic"),
+            (Property::Reversal, "symmetric"),
+            (Property::Energy, "bounded"),
+            (Property::Evaluations, "6 a step"),
+            (Property::Name, "dormand-prince"),
         ] {
             assert_eq!(said(&solver, name), unknown(claimed, "it does not know pendulum"));
         }
         assert_eq!(
-            (solver.verdict, said(&solver, "order").1),
+            (solver.verdict, said(&solver, Property::Order).1),
             (Verdict::NotMeasured, Verdict::Holds)
         );
     }
@@ -444,11 +283,16 @@ mod tests {
         let claims = Claims::order(5).estimate(5).free_outputs().crossings();
         let (steps, solver, joined) = both(&claims.clone().name("dormand-prince"));
         joined.assert();
-        let names: BTreeSet<&str> = joined.findings.iter().map(|finding| finding.name).collect();
+        let names: BTreeSet<Property> =
+            joined.findings.iter().map(|finding| finding.property).collect();
         assert_eq!(names.len(), joined.findings.len(), "{joined}");
-        for (name, of) in [("order", &steps), ("solve-order", &solver), ("solve-output", &solver)] {
-            let alone = of.finding(name.trim_start_matches("solve-")).unwrap();
-            assert_eq!(joined.finding(name).unwrap(), &Finding { name, ..alone.clone() });
+        for (name, alone, of) in [
+            (Property::Order, Property::Order, &steps),
+            (Property::SolveOrder, Property::Order, &solver),
+            (Property::SolveOutput, Property::Output, &solver),
+        ] {
+            let alone = of.finding(alone).unwrap();
+            assert_eq!(joined.finding(name).unwrap(), &Finding { property: name, ..alone.clone() });
         }
         let [of_steps, of_solver] = [&steps, &solver].map(Report::what_it_is);
         assert_eq!(joined.what_it_is(), format!("{of_steps}; with a tolerance, it is {of_solver}"));
@@ -457,12 +301,18 @@ mod tests {
         assert!(!joined.evidence.outputs.is_empty() && !joined.evidence.tolerances.is_empty());
 
         let (_, solver, joined) = both(&claims.clone().estimate(9));
-        assert_eq!((joined.verdict, joined.failures().next()), (Verdict::Fails, Some("estimate")));
-        assert_eq!(joined.look_at, solver.look_at);
+        assert_eq!(
+            (joined.verdict, joined.failures().next()),
+            (Verdict::Fails, Some(Property::Estimate))
+        );
+        assert_eq!(joined.advice, solver.advice);
         let (steps, solver, joined) = both(&claims.estimate(9).symplectic().evaluations(5));
-        assert_eq!(joined.failures().collect::<Vec<_>>(), ["area", "evaluations", "estimate"]);
-        let look_at = [steps.look_at, solver.look_at].concat();
-        assert_eq!(joined.look_at, look_at[..look_at.len().min(3)]);
+        assert_eq!(
+            joined.failures().collect::<Vec<_>>(),
+            [Property::Area, Property::Evaluations, Property::Estimate]
+        );
+        let advice = [steps.advice, solver.advice].concat();
+        assert_eq!(joined.advice, advice[..advice.len().min(3)]);
         let (.., joined) = both(&Claims::none());
         assert_eq!(joined.verdict, Verdict::Unclaimed, "{joined}");
     }

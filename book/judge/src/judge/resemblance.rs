@@ -1,20 +1,31 @@
 //! What a stranger nearly is: a known method, right or wrong, but for one thing.
 
-use core::fmt;
-
 use super::claims::Claims;
-use super::equation::{Departure, Kind};
+use super::equation::Departure;
 use super::identity::{Asked, Identity, Seen, own_states};
-use super::probe::{G_OVER_L, Probe, distance, exact, frequency, states_after, step};
-use super::report::{Report, Scientific, raised};
+use super::probe::{G_OVER_L, Probe, distance, exact, states_after, step};
+use super::report::Report;
 use super::verdict::Measured;
 use crate::stranger::Request;
 use pendula::systems::Phase;
 use pendula::{AnyMethod, METHODS};
 
+/// A known method that a program is but for one thing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Resemblance {
+    /// The method's name on the command line.
+    pub method: &'static str,
+    /// Its name in text.
+    pub title: &'static str,
+    /// The one thing.
+    pub but: But,
+}
+
 /// The one thing in which a run differs from that of a known method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum But {
+#[non_exhaustive]
+pub enum But {
     /// Nothing.
     Nothing,
     /// It is seen from elsewhere, at the start as at the end: half a kick behind, and the like.
@@ -27,28 +38,6 @@ enum But {
     WithoutFirstHalfKick,
     /// Each step lacks its last half kick.
     WithoutLastHalfKick,
-}
-
-/// What a stranger is: the method of this title, but for one thing.
-fn in_words(title: &str, but: But) -> String {
-    let it = title.to_string();
-    match but {
-        But::Nothing => it,
-        But::Seen(seen) if seen.drifts == 0.0 => format!(
-            "{it} seen {seen}: the velocities that it starts from, and those that it reports, lie \
-             beside the angles' times"
-        ),
-        But::Seen(seen) => {
-            format!("{it} seen {seen}: its angles lie beside the velocities' times")
-        }
-        But::Reported(seen) => {
-            let half = if seen.kicks.abs() == 0.5 { ": velocities at half steps" } else { "" };
-            format!("{it}, but the states that it reports are {seen} of its own{half}")
-        }
-        But::Begun(seen) => format!("{it}, but begun {seen} of the state that it is given"),
-        But::WithoutFirstHalfKick => format!("{it}, but each step lacks its first half kick"),
-        But::WithoutLastHalfKick => format!("{it}, but each step lacks its last half kick"),
-    }
 }
 
 /// Every one thing.
@@ -104,10 +93,10 @@ fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
         && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
-/// What the stranger is but for one thing, in words: first a method of the library that has what is
+/// What the stranger is but for one thing: first a method of the library that has what is
 /// claimed, then any other. Of several that are near, none is named unless the digits of double
 /// precision tell that they are one map.
-pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Option<String>> {
+pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Option<Resemblance>> {
     let plain = report.identity.as_ref().filter(|identity| identity.is_plain());
     let is_itself = |identity: &Identity| {
         METHODS.iter().any(|method| method.info().name == identity.method && fits(*method, claims))
@@ -134,7 +123,8 @@ pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Opt
             let mut near = all.filter(|(but, other)| near(10.0 * asked.bound(), *but, *other));
             near.all(|(_, other)| other.info().name == method.info().name)
         };
-        alone.then(|| in_words(method.info().title, but))
+        let info = method.info();
+        alone.then_some(Resemblance { method: info.name, title: info.title, but })
     };
     // What is on the list has its name already; there only the method that is claimed helps.
     let anything_fits = claims.order.is_some() || claims.name.is_some();
@@ -145,9 +135,21 @@ pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Opt
     Ok(resembling(&fitting).or_else(|| resembling(&others)))
 }
 
-/// The method of the library from which a short step parts least, and by how much, in words;
-/// `None` if no method is near.
-pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
+/// A method of the library, and by how much a short step parts from its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Nearest {
+    /// Its name in text.
+    pub title: &'static str,
+    /// The distance (rad) over x to the power `power`, with x = ω₀h.
+    pub factor: f64,
+    /// The power.
+    pub power: u32,
+}
+
+/// The method of the library from which a short step parts least, and by how much; `None` if no
+/// method is near.
+pub fn nearest(probe: &Probe<'_>) -> Measured<Option<Nearest>> {
     const STARTS: [Phase; 3] = [
         Phase { theta: 1.0, omega: 1.5 },
         Phase { theta: -2.2, omega: 0.8 },
@@ -193,13 +195,8 @@ pub fn nearest(probe: &Probe<'_>) -> Measured<Option<String>> {
     if power <= wrong_from {
         return Ok(None);
     }
-    let factor = Scientific(short / libm::pow(X[1], power), 1);
-    Ok(Some(format!(
-        "The nearest method of the list is {title}: a step parts from it by about {factor} x{}, x \
-         = h √(g/L) = h · {:.1}/s",
-        raised(power as usize),
-        frequency()
-    )))
+    let factor = short / libm::pow(X[1], power);
+    Ok(Some(Nearest { title, factor, power: power as u32 }))
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -220,57 +217,12 @@ pub enum Scaled {
 impl Scaled {
     /// Of a departure that is no more than that.
     pub fn of(departure: &Departure) -> Option<Self> {
-        let value = *departure.values.first()?;
-        match departure.kind {
-            Kind::Step => Some(Self::Step(value)),
-            Kind::Gravity => Some(Self::Gravity(value)),
-            Kind::FixedGravity => Some(Self::Fixed(value)),
+        let value = departure.values().first().copied();
+        match departure {
+            Departure::Step { times, .. } => Some(Self::Step(*times)),
+            Departure::Gravity(_) => value.map(Self::Gravity),
+            Departure::FixedGravity(_) => value.map(Self::Fixed),
             _ => None,
         }
     }
-}
-
-impl fmt::Display for Scaled {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Step(times) if (times + 1.0).abs() < 1e-6 => f.write_str("run backwards"),
-            Self::Step(0.001) => {
-                f.write_str("its step is 0.001 h: milliseconds are taken for seconds")
-            }
-            Self::Step(1000.0) => {
-                f.write_str("its step is 1000 h: seconds are taken for milliseconds")
-            }
-            Self::Step(times) => {
-                write!(f, "its step is {} h{}", times_in_words(times), right_to(times))
-            }
-            Self::Gravity(times) => {
-                let (times, right) = (times_in_words(times), right_to(times));
-                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")?;
-                if times == "1.5" { f.write_str("; a uniform rod has 1.5 g/L") } else { Ok(()) }
-            }
-            Self::Fixed(g_over_l) => {
-                let text = format!("{g_over_l:.6}");
-                let text = text.trim_end_matches('0').trim_end_matches('.');
-                write!(f, "its g/L is {text} 1/s², whatever is asked for")
-            }
-        }
-    }
-}
-
-/// A factor near 1 with the digits that it needs: 1.00001.
-fn times_in_words(times: f64) -> String {
-    let digits = libm::ceil(2.0 - libm::log10((times - 1.0).abs()));
-    let digits = digits.clamp(2.0, 12.0) as usize;
-    let text = format!("{times:.digits$}").replace('-', "−");
-    text.trim_end_matches('0').trim_end_matches('.').to_string()
-}
-
-/// To how many digits a factor is 1, where that looks like a coefficient with too few of them.
-fn right_to(times: f64) -> String {
-    let off = (times - 1.0).abs();
-    if off >= 1e-2 {
-        return String::new();
-    }
-    let digits = libm::round(-libm::log10(off));
-    format!(", right to {digits} digits: a coefficient, or g or L, has too few")
 }

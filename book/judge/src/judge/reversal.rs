@@ -1,8 +1,8 @@
 //! The way back: as many steps of −h lead home, or do not.
 
 use super::probe::{Probe, distance, step};
-use super::report::{Finding, about, scientific};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{Finding, Measurement};
 use crate::properties::flipped;
 use crate::stranger::Request;
 use pendula::systems::Phase;
@@ -71,15 +71,8 @@ pub fn worst(probe: &Probe<'_>) -> Measured<Way> {
 
 /// What is to be said of a claim that a step with −h undoes a step with h.
 pub fn judge(&Way { miss, bound, x, steps, by_itself }: &Way) -> Finding {
-    let back = if by_itself { "back with −h" } else { "back with the velocity reversed" };
     Finding {
-        measured: format!("misses the start by {} rad", scientific(miss)),
-        why: format!(
-            "{steps} steps of x = ω₀h = {x} and {back} miss the start by {} rad; rounding makes {} \
-             rad at most",
-            scientific(miss),
-            about(bound)
-        ),
+        measurement: Measurement::WayBack { x, steps, by_itself },
         ..Finding::number(miss, "rad", bound, Verdict::of(miss, bound, 10.0 * bound))
     }
 }

@@ -1,8 +1,8 @@
 //! Stage times: on a driven pendulum a method has its order only if its stages know the time.
 
 use super::probe::{Probe, distance, pendulum};
-use super::report::{Finding, slopes};
 use super::verdict::{Measured, Trouble, Verdict};
+use crate::finding::{Finding, Measurement};
 use crate::stranger::{Drive, Request, driven};
 use pendula::methods::Gauss6;
 use pendula::systems::Phase;
@@ -74,16 +74,9 @@ pub fn measure(probe: &Probe<'_>, order: u32) -> Measured<Drives> {
 /// What is to be said of a claim that stages know the time: that the slopes on the driven pendulum
 /// are those of `order`.
 pub fn judge(Drives { slopes: all, coarsest }: &Drives, order: u32) -> Finding {
-    let line = slopes(all);
-    let measured = if line.is_empty() { "rounding".into() } else { format!("slopes {line}") };
-    let why = match all.last() {
-        Some(last) => format!("the slope ends at {}, not {order}", slopes(&[*last])),
-        None if *coarsest < ROUNDING => "the error of the coarsest steps is rounding".to_string(),
-        None => "too few steps above rounding".to_string(),
-    };
     let verdict = verdict(all.last().copied(), *coarsest, order);
-    let (values, measured) = (all.clone(), format!("with a drive: {measured}"));
-    Finding { measured, values, verdict, why, ..Finding::default() }
+    let measurement = Measurement::DrivenSlopes { order, rounding: *coarsest < ROUNDING };
+    Finding { measurement, values: all.clone(), verdict, ..Finding::default() }
 }
 
 /// The error (rad) of the coarsest steps below which stages at wrong times would have been seen.

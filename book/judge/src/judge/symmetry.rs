@@ -4,8 +4,8 @@
 use core::f64::consts::TAU;
 
 use super::probe::{G_OVER_L, Probe, distance, step};
-use super::report::{Finding, about, scientific};
 use super::verdict::{Measured, Trouble, Verdict, told};
+use crate::finding::{Finding, Measurement};
 use crate::stranger::Request;
 use pendula::systems::Phase;
 
@@ -41,18 +41,11 @@ impl Apart {
     /// spoil the property (`spoilt`) or not.
     pub fn judge(&self, spoilt: bool) -> Finding {
         let Self { largest, bound } = *self;
-        let mut verdict = Verdict::of(largest, bound, 10.0 * bound);
-        let mut why = format!(
-            "apart by {} rad, where rounding makes {} at most",
-            scientific(largest),
-            about(bound)
-        );
-        if verdict == Verdict::Fails && spoilt && self.is_a_tolerance() {
-            verdict = Verdict::Unclear;
-            why.push_str("; a tolerance inside it may do so");
-        }
-        let measured = format!("apart by {} rad", scientific(largest));
-        Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) }
+        let verdict = Verdict::of(largest, bound, 10.0 * bound);
+        let by_tolerance = verdict == Verdict::Fails && spoilt && self.is_a_tolerance();
+        let verdict = if by_tolerance { Verdict::Unclear } else { verdict };
+        let measurement = Measurement::Apart { by_tolerance };
+        Finding { measurement, ..Finding::number(largest, "rad", bound, verdict) }
     }
 }
 

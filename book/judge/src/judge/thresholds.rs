@@ -17,9 +17,11 @@ use super::replies::{Clock, judge_precision as precision};
 use super::reversal::{Way, judge as reversal};
 use super::stage_times::verdict as stage_times;
 use super::symmetry::Apart;
-use super::{Claims, Finding, Report, judge};
+use super::{Claims, Report, judge};
+use crate::finding::{EnergyLaw, Finding, LossBy, Slopes};
 use crate::known_answers;
 use crate::properties::error_constant::leading_local_error;
+use crate::property::Property;
 use crate::{Chosen, Fault, FromFn, Reply, Request, Stranger};
 
 /// A little less and a little more: nothing that a verdict compares is known better.
@@ -91,7 +93,9 @@ fn of_the_clock() {
 fn of_the_loss(#[case] sign: f64) {
     let of = |tolerance| {
         move |a_step: f64| {
-            Loss { a_step: sign * a_step, bound: 1e-16, tolerance, by: "" }.judge().verdict
+            Loss { a_step: sign * a_step, bound: 1e-16, tolerance, by: LossBy::Area }
+                .judge()
+                .verdict
         }
     };
     changes(1e-16, [Holds, Unclear], of(0.0));
@@ -121,7 +125,8 @@ fn of_the_energy() {
     changes(2e-14, [Unclear, Fails], of(1e-15, 1e-15));
     let law = |times: f64| energy(1e-6, times * 1e-6, 1e-20).1;
     let laws = [law(4.9), law(5.1), law(19.9), law(20.1)];
-    assert_eq!(laws, ["grows", "grows with time", "grows with time", "grows"]);
+    use EnergyLaw::{Grows, GrowsWithTime};
+    assert_eq!(laws, [Grows, GrowsWithTime, GrowsWithTime, Grows]);
 }
 
 /// Catches: a threshold of the slope with a drive that is moved; no slope taken for a right one.
@@ -172,7 +177,7 @@ fn of_the_order() {
     changes(-1.1_f64.log2(), [Unclear, Fails], |slope| {
         let slope = slope.clamp(-1.0, 1.0);
         let ladder = ladder(&[-1.0, -1.0, slope]);
-        if order(&ladder, 2).1.starts_with("the shorter") { Fails } else { Unclear }
+        if order(&ladder, 2).1 == Slopes::Grows { Fails } else { Unclear }
     });
     // Away from the order, and below it by half in two slopes: no longer on its way.
     changes(3.5, [Fails, Unclear], |before| order(&ladder(&[3.9, before, before - 0.15]), 4).0);
@@ -272,7 +277,7 @@ fn claims() -> Claims {
 
 #[track_caller]
 fn fails(report: &Report, property: &str) {
-    let failed: Vec<&str> = report.failures().collect();
+    let failed: Vec<&str> = report.failures().map(Property::name).collect();
     assert_eq!(failed, [property], "{report}");
 }
 
@@ -436,11 +441,15 @@ fn the_verdict_on_all_claims_is_the_worst(
     #[case] worst: Verdict,
     #[case] summary: &str,
 ) {
-    let finding = |(name, verdict)| {
+    let finding = |(property, verdict)| {
         let (claimed, values) = (Some(String::new()), vec![1.0]);
-        Finding { name, verdict, claimed, values, ..Finding::default() }
+        Finding { property, verdict, claimed, values, ..Finding::default() }
     };
-    let findings = ["area", "clock", "order"].into_iter().zip(verdicts).map(finding).collect();
+    let findings = [Property::Area, Property::Clock, Property::Order]
+        .into_iter()
+        .zip(verdicts)
+        .map(finding)
+        .collect();
     let mut report = Report { findings, ..Report::default() };
     report.conclude(false);
     assert_eq!((report.verdict, &report.summary()[..]), (worst, summary));

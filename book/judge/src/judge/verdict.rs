@@ -52,7 +52,12 @@ pub enum Trouble {
     /// The stranger does not answer such a request, and perhaps says why.
     NoAnswer(String),
     /// It answered with other than the number of states that was asked for.
-    Count { asked: u64, came: u64 },
+    Count {
+        /// So many were asked for.
+        asked: u64,
+        /// And so many came.
+        came: u64,
+    },
     /// It answered with a state that is not finite.
     NotFinite,
     /// It broke the protocol; the judging ends.

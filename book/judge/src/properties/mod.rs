@@ -33,9 +33,10 @@ pub use area::area_defect;
 #[doc(hidden)]
 pub use order::Ladder;
 
+use crate::finding::Finding;
+use crate::judge::Verdict;
 use crate::judge::probe::Probe;
 use crate::judge::verdict::Measured;
-use crate::judge::{Finding, Verdict};
 use crate::stranger::Ours;
 use pendula::{AnyMethod, Grid, Pendulum, Phase};
 
@@ -175,8 +176,11 @@ fn measured<T>(
 }
 
 /// An error unless the judge says that it holds.
-fn holds(what: &str, Finding { verdict, why, .. }: Finding) -> CheckResult {
-    if verdict == Verdict::Holds { Ok(()) } else { Err(format!("{what}: {why}")) }
+fn holds(what: &str, finding: Finding) -> CheckResult {
+    match finding.verdict {
+        Verdict::Holds => Ok(()),
+        _ => Err(format!("{what}: {}", finding.why())),
+    }
 }
 
 /// An error unless the judge says that it holds if it is `claimed`, and fails if not: then it is
@@ -184,8 +188,8 @@ fn holds(what: &str, Finding { verdict, why, .. }: Finding) -> CheckResult {
 fn as_claimed(claimed: bool, after_all: &str, finding: Finding) -> CheckResult {
     match (claimed, finding.verdict) {
         (true, Verdict::Holds) | (false, Verdict::Fails) => Ok(()),
-        (true, _) => Err(finding.why),
-        (false, _) => Err(format!("{after_all}: {}", finding.why)),
+        (true, _) => Err(finding.why()),
+        (false, _) => Err(format!("{after_all}: {}", finding.why())),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::asked::{Asked, Scenes};
 use super::ladder::{Ladder, Rung};
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::CrossingsRequest;
@@ -209,6 +210,9 @@ impl Passages {
                    times what a run errs at its end"
             .to_string();
         let measured = measured + &refused.unwrap_or_default();
-        Finding { measured, why, ..Finding::number(*ratio, "", 1.0, verdict) }
+        Finding {
+            measurement: Measurement::Said { measured, why },
+            ..Finding::number(*ratio, "", 1.0, verdict)
+        }
     }
 }

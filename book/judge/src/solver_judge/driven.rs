@@ -3,6 +3,7 @@
 use super::asked::Asked;
 use super::ladder::Ladder;
 use super::outputs::Outputs;
+use crate::finding::Measurement;
 use crate::judge::probe::pendulum;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
@@ -178,7 +179,10 @@ impl Driven {
             not_told.collect::<String>()
         );
         let why = format!("thirty times what a free run errs there: {}", about(bound));
-        Finding { measured, why, ..Finding::number(error, "rad", bound, verdict) }
+        Finding {
+            measurement: Measurement::Said { measured, why },
+            ..Finding::number(error, "rad", bound, verdict)
+        }
     }
 }
 

@@ -286,6 +286,7 @@ fn rung(asked: Asked<'_>, tolerance: f64) -> Measured<Rung> {
 
 #[cfg(test)]
 mod tests {
+    use crate::property::Property;
     use std::cell::Cell;
 
     use pendula::methods::Dop853;
@@ -331,13 +332,13 @@ mod tests {
         assert_eq!(report.evidence.tolerances.len(), 1, "{report}");
         assert_eq!(report.verdict, Verdict::NotMeasured, "{report}");
         assert_eq!(report.failures().next(), None, "{report}");
-        let told = &report.finding("tolerance").unwrap().why;
+        let told = &report.finding(Property::Tolerance).unwrap().why();
         assert_eq!(told, "smaller tolerances than 1e-3 take too long");
         // Five seconds are allowed for an answer of a millisecond; and ten times the 0.6 s that
         // 10 000 outputs take at least are more than that, by its clock.
         let report = judged(20_000, 1, 60);
         assert_eq!(report.evidence.tolerances.len(), RUNGS as usize, "{report}");
-        let many = &report.finding("many").unwrap().measured;
+        let many = &report.finding(Property::Many).unwrap().measured();
         assert!(many.starts_with("10000 outputs, off by "), "{many}");
     }
 }

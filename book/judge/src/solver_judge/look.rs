@@ -7,33 +7,43 @@ use super::asked::Scenes;
 use super::ladder::{Floor, Ladder, RUNS};
 use super::outputs::{in_words, rounded};
 use super::steps::hopeless;
+use crate::judge::advice::{Advice, Cause as Advised};
 use crate::judge::report::{Report, about, scientific};
 use crate::judge::verdict::Verdict;
+use crate::property::Property;
 use pendula::Phase;
 
 /// The most that is said.
 const MOST: usize = 3;
 
 /// A cause, and the properties that fail by it.
-type Cause = (String, &'static [&'static str]);
+type Cause = (String, &'static [Property]);
 
 /// What fails where the end of a run is wrong.
-const END: &[&str] = &["tolerance", "order", "estimate", "output", "start"];
+const END: &[Property] =
+    &[Property::Tolerance, Property::Order, Property::Estimate, Property::Output, Property::Start];
 /// What fails where outputs are wrong.
-const OUTPUT: &[&str] = &["output", "order", "rows", "crossings", "many", "free-outputs"];
+const OUTPUT: &[Property] = &[
+    Property::Output,
+    Property::Order,
+    Property::Rows,
+    Property::Crossings,
+    Property::Many,
+    Property::FreeOutputs,
+];
 
 /// At most three sentences; none of a failure that one before it explains.
-pub fn at(report: &Report, found: &Found) -> Vec<String> {
-    let failing: Vec<&str> = report
+pub fn at(report: &Report, found: &Found) -> Vec<Advice> {
+    let failing: Vec<Property> = report
         .findings
         .iter()
         .filter(|it| it.verdict == Verdict::Fails)
-        .map(|it| it.name)
+        .map(|it| it.property)
         .collect();
     let mut left = failing;
     let mut said = Vec::new();
     if let Some(departure) = &report.departure {
-        said.push(format!("{}.", departure.sentence));
+        said.push(format!("{}.", departure.sentence()));
         left.retain(|name| !END.contains(name));
     }
     for (property, cause) in CAUSES {
@@ -45,71 +55,77 @@ pub fn at(report: &Report, found: &Found) -> Vec<String> {
         said.push(sentence);
     }
     said.truncate(MOST);
-    said
+    let advice = |said| Advice { cause: Advised::Said(said), explains: Vec::new() };
+    said.into_iter().map(advice).collect()
 }
 
 /// A property, and what is to be said where it fails, if that is known; what it explains besides.
-type Known = (&'static str, fn(&Report, &Found) -> Option<Cause>);
+type Known = (Property, fn(&Report, &Found) -> Option<Cause>);
 
 /// A sentence that is always true of a failure.
 macro_rules! says {
-    ($property:literal, $explains:expr, $sentence:expr) => {
+    ($property:expr, $explains:expr, $sentence:expr) => {
         ($property, |_, _| Some(($sentence.to_string(), $explains)))
     };
 }
 
 const CAUSES: &[Known] = &[
-    says!("precision", END, "States are numbers of single precision."),
-    ("tolerance", |_, found| other_time(found)),
-    ("estimate", |_, found| {
+    says!(Property::Precision, END, "States are numbers of single precision."),
+    (Property::Tolerance, |_, found| other_time(found)),
+    (Property::Estimate, |_, found| {
         let sentence = "The estimate is of first power, as with a wrong weight of the embedded \
                         method.";
-        hopeless(&found.ladder).then(|| (sentence.to_string(), &["estimate", "tolerance"][..]))
+        hopeless(&found.ladder)
+            .then(|| (sentence.to_string(), &[Property::Estimate, Property::Tolerance][..]))
     }),
     says!(
-        "start",
-        &["start", "back", "tolerance", "order", "output"],
+        Property::Start,
+        &[Property::Start, Property::Back, Property::Tolerance, Property::Order, Property::Output],
         "With another t₀ it is wrong: t₀ is not heeded, or time has too few digits."
     ),
-    ("output", |_, found| found.outputs.as_ref().map(|outputs| (outputs.cause(), OUTPUT))),
-    ("tolerance", |_, found| found.ladder.floor().map(no_further)),
-    ("order", |_, found| {
+    (Property::Output, |_, found| found.outputs.as_ref().map(|outputs| (outputs.cause(), OUTPUT))),
+    (Property::Tolerance, |_, found| found.ladder.floor().map(no_further)),
+    (Property::Order, |_, found| {
         let order = found.ladder.order().filter(|order| order.uncertainty < 0.5)?;
         let sentence = format!(
             "The error falls with the power {} of the evaluations: a coefficient of a stage or of \
              the step is wrong, or the result of the lower order is handed on.",
             in_words(order)
         );
-        Some((sentence, &["order", "estimate", "tolerance"]))
+        Some((sentence, &[Property::Order, Property::Estimate, Property::Tolerance]))
     }),
-    ("tolerance", |_, found| Some(uneven(&found.ladder))),
-    ("turn", |report, _| turned(report)),
+    (Property::Tolerance, |_, found| Some(uneven(&found.ladder))),
+    (Property::Turn, |report, _| turned(report)),
     says!(
-        "back",
-        &["back", "rows", "crossings"],
+        Property::Back,
+        &[Property::Back, Property::Rows, Property::Crossings],
         "Backwards it is wrong: look at the sign of the step where times are compared."
     ),
-    says!("rows", OUTPUT, "Rows are missing, or not those of their times: see the property rows."),
-    ("repeatable", |_, found| {
+    says!(
+        Property::Rows,
+        OUTPUT,
+        "Rows are missing, or not those of their times: see the property rows."
+    ),
+    (Property::Repeatable, |_, found| {
         let [first, second] = found.ladder.miscount?;
         let sentence = format!(
             "The same requests count {first} evaluations the first time and {second} the second: \
              something is kept from one request to the next."
         );
-        Some((sentence, &["repeatable"]))
+        Some((sentence, &[Property::Repeatable]))
     }),
     says!(
-        "repeatable",
-        &["free-outputs"],
+        Property::Repeatable,
+        &[Property::FreeOutputs],
         "The same question has different answers: something is kept from one request to the \
          next, or random."
     ),
-    says!("free-outputs", &[], "Asking for outputs changes the run."),
-    ("crossings", |report, found| {
+    says!(Property::FreeOutputs, &[], "Asking for outputs changes the run."),
+    (Property::Crossings, |report, found| {
         let passages = found.passages.as_ref()?;
         let sentence = match (passages.only_one_way(), passages.only_elsewhere()) {
             (true, _) => "Every second crossing is missed.",
-            (_, true) if fails(report, "start") => return None,
+            (_, true) if fails(report, Property::Start) => return None,
             (_, true) => {
                 "Passages through zero are right from t₀ = 0 on and wrong from another: t₀ is not \
                  heeded there, or time has too few digits."
@@ -119,44 +135,55 @@ const CAUSES: &[Known] = &[
                  step, on what outputs come from: see the property crossings."
             }
         };
-        Some((sentence.to_string(), &["crossings"]))
+        Some((sentence.to_string(), &[Property::Crossings]))
     }),
-    ("many", |report, _| {
-        let finding = report.finding("many")?;
+    (Property::Many, |report, _| {
+        let finding = report.finding(Property::Many)?;
         let is_right = finding.values.first()? <= finding.bound.as_ref()?;
         let sentence = "The time for many outputs grows faster than their number.";
         is_right.then(|| (sentence.to_string(), &[][..]))
     }),
-    says!("refusal", &[], "A tolerance or a time that makes no sense has to end in an error."),
-    says!("units", &[], "A constant in seconds is in it: a smallest, largest or first step."),
     says!(
-        "mirror",
+        Property::Refusal,
+        &[],
+        "A tolerance or a time that makes no sense has to end in an error."
+    ),
+    says!(
+        Property::Units,
+        &[],
+        "A constant in seconds is in it: a smallest, largest or first step."
+    ),
+    says!(
+        Property::Mirror,
         &[],
         "The mirrored run is not the mirror of the run, as where the error of a step has a sign \
          and its size is meant."
     ),
-    ("driven", |report, found| {
-        let [start, back] = ["start", "back"].map(|name| fails(report, name));
+    (Property::Driven, |report, found| {
+        let [start, back] = [Property::Start, Property::Back].map(|name| fails(report, name));
         Some((found.driven.as_ref()?.cause(start, back)?.to_string(), &[]))
     }),
 ];
 
 /// Whether this property fails.
-fn fails(report: &Report, name: &str) -> bool {
-    report.finding(name).is_some_and(|it| it.verdict == Verdict::Fails)
+fn fails(report: &Report, property: Property) -> bool {
+    report.finding(property).is_some_and(|it| it.verdict == Verdict::Fails)
 }
 
 /// A start ten turns on that comes out whole turns off, within what is allowed there; a start of
 /// another property may lie beyond half a turn, too.
 fn turned(report: &Report) -> Option<Cause> {
-    let finding = report.finding("turn")?;
+    let finding = report.finding(Property::Turn)?;
     let turns = finding.values.first()? / TAU;
     let whole = libm::round(turns);
     let is_wrapped = whole >= 1.0 && (turns - whole).abs() * TAU <= *finding.bound.as_ref()?;
     is_wrapped.then(|| {
         let sentence =
             "A start beyond half a turn comes out whole turns off: its angle is wrapped.";
-        (sentence.to_string(), &["turn", "back", "crossings", "driven"][..])
+        (
+            sentence.to_string(),
+            &[Property::Turn, Property::Back, Property::Crossings, Property::Driven][..],
+        )
     })
 }
 

@@ -24,9 +24,10 @@ pub(crate) use outputs::PARTS;
 use steps::Ours;
 
 use crate::judge::verdict::{Measured, Trouble};
+use crate::property::Property;
 use crate::solver::Solver;
 use crate::stranger::Fault;
-use crate::{Claims, Finding, Report};
+use crate::{Claims, Description, Finding, Report};
 use pendula::Phase;
 
 /// Judges `solver` by its `claims`.
@@ -87,19 +88,19 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
         Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
         Err(trouble) => {
             report.findings.push(Finding {
-                name: "tolerance",
+                property: Property::Tolerance,
                 claimed: claims.implied(),
                 ..Finding::from(trouble)
             });
             // No claim is dropped in silence.
-            let order = ("order", claims.order.map(|order| order.to_string()));
+            let order = (Property::Order, claims.order.map(|order| order.to_string()));
             for (name, claim) in claims.of_a_solver().into_iter().chain([order]) {
                 let why = || Trouble::NoAnswer("it does not solve".to_string());
                 if claim.is_some() {
                     report.note(name, claim, Err(why()))?;
                 }
             }
-            report.description = "not known, as it does not solve".to_string();
+            report.description = Description::SolvesNothing;
             report.conclude(claims.are_none());
             return Ok(report);
         }
@@ -107,7 +108,7 @@ fn properties(asked: Asked<'_>, claims: &Claims) -> Measured<Report> {
     let found = take_all(&mut report, claims, asked, ladder)?;
     report.conclude(claims.are_none());
     report.description = steps::description(&found.ladder);
-    report.look_at = look::at(&report, &found);
+    report.advice = look::at(&report, &found);
     Ok(report)
 }
 
@@ -137,31 +138,31 @@ fn take_all(
     };
     let power = |claim: Option<u32>| claim.map(|power| power.to_string());
     let ours = Ours::of(asked.scenes);
-    report.note("tolerance", implied(), Ok(steps::tolerance(&ladder, &ours)))?;
+    report.note(Property::Tolerance, implied(), Ok(steps::tolerance(&ladder, &ours)))?;
     let estimate = steps::estimate(&ladder, claims.estimate);
-    report.note("estimate", power(claims.estimate).or(if_had(&estimate)), estimate)?;
-    report.note("order", power(claims.order), steps::order(&ladder, claims.order))?;
-    report.note("precision", implied(), Ok(steps::precision(&ladder)))?;
+    report.note(Property::Estimate, power(claims.estimate).or(if_had(&estimate)), estimate)?;
+    report.note(Property::Order, power(claims.order), steps::order(&ladder, claims.order))?;
+    report.note(Property::Precision, implied(), Ok(steps::precision(&ladder)))?;
     let outputs = Outputs::of(asked, &ladder);
-    report.note("output", implied(), finding(&outputs, Outputs::finding))?;
+    report.note(Property::Output, implied(), finding(&outputs, Outputs::finding))?;
     let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
-    report.note("free-outputs", free, rows::free(asked, &ladder, claims.free_outputs))?;
-    report.note("rows", implied(), rows::all(asked, &ladder))?;
+    report.note(Property::FreeOutputs, free, rows::free(asked, &ladder, claims.free_outputs))?;
+    report.note(Property::Rows, implied(), rows::all(asked, &ladder))?;
     let passages = Passages::of(asked, &ladder);
     let found = finding(&passages, Passages::finding);
-    let claimed = claims.crossings.then(|| "crossings".to_string()).or(if_had(&found));
-    report.note("crossings", claimed, found)?;
-    report.note("back", implied(), same::back(asked, &ladder))?;
-    report.note("start", implied(), same::start(asked, &ladder))?;
-    report.note("units", implied(), same::units(asked, &ladder))?;
-    report.note("mirror", implied(), same::mirror(asked, &ladder))?;
-    report.note("turn", implied(), same::turn(asked, &ladder))?;
-    report.note("repeatable", implied(), same::repeatable(asked, &ladder))?;
+    let claimed = claims.crossings.then(|| Property::Crossings.to_string()).or(if_had(&found));
+    report.note(Property::Crossings, claimed, found)?;
+    report.note(Property::Back, implied(), same::back(asked, &ladder))?;
+    report.note(Property::Start, implied(), same::start(asked, &ladder))?;
+    report.note(Property::Units, implied(), same::units(asked, &ladder))?;
+    report.note(Property::Mirror, implied(), same::mirror(asked, &ladder))?;
+    report.note(Property::Turn, implied(), same::turn(asked, &ladder))?;
+    report.note(Property::Repeatable, implied(), same::repeatable(asked, &ladder))?;
     let driven = Driven::of(asked, &ladder, outputs.as_ref().ok());
     let found = finding(&driven, Driven::finding);
-    report.note("driven", if_had(&found), found)?;
-    report.note("many", implied(), rows::many(asked, &ladder))?;
-    report.note("effort", None, steps::effort(&ladder, &ours))?;
+    report.note(Property::Driven, if_had(&found), found)?;
+    report.note(Property::Many, implied(), rows::many(asked, &ladder))?;
+    report.note(Property::Effort, None, steps::effort(&ladder, &ours))?;
     let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
     report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
     let outputs = outputs.ok();
@@ -170,7 +171,7 @@ fn take_all(
     report.departure = equation::departure(asked, &ladder);
     let halfway = halfway(asked, &ladder);
     let refusal = refusal::finding(asked);
-    report.note("refusal", if_had(&refusal), refusal)?;
+    report.note(Property::Refusal, if_had(&refusal), refusal)?;
     let (passages, driven) = (passages.ok(), driven.ok());
     Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
 }
@@ -238,7 +239,13 @@ mod tests {
                         .iter()
                         .filter(|it| it.claimed.is_some() && it.verdict != Verdict::Holds)
                         .map(|it| {
-                            format!("{} {:?}: {} ({})", it.name, it.verdict, it.measured, it.why)
+                            format!(
+                                "{} {:?}: {} ({})",
+                                it.property,
+                                it.verdict,
+                                it.measured(),
+                                it.why()
+                            )
                         })
                         .collect();
                     wrong.push(format!("{k} {claims}: {scenes:?}: {told:#?}"));

@@ -2,6 +2,7 @@
 
 use super::asked::{self, Asked, Power, evenly, largest_of, power, single};
 use super::ladder::Ladder;
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
 
@@ -164,7 +165,10 @@ impl Outputs {
                 about(tolerance)
             );
             let why = "a double has sixteen digits, and a single seven".to_string();
-            return Finding { measured, why, ..Finding::number(ratio, "", HOLDS, Verdict::Fails) };
+            return Finding {
+                measurement: Measurement::Said { measured, why },
+                ..Finding::number(ratio, "", HOLDS, Verdict::Fails)
+            };
         }
         let verdict = Verdict::of(ratio, HOLDS, WORSE);
         let power =
@@ -182,7 +186,10 @@ impl Outputs {
              theirs; up to {HOLDS:.0} may be chance",
             rounded(ratio)
         );
-        Finding { measured, why, ..Finding::number(ratio, "", HOLDS, verdict) }
+        Finding {
+            measurement: Measurement::Said { measured, why },
+            ..Finding::number(ratio, "", HOLDS, verdict)
+        }
     }
 }
 

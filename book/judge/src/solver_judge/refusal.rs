@@ -1,6 +1,7 @@
 //! What has no right answer.
 
 use super::asked::{self, Asked, Scenes};
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::stranger::Fault;
@@ -51,5 +52,8 @@ pub fn finding(asked: Asked<'_>) -> Measured<Finding> {
         false => (Verdict::Fails, wrong.join("; ")),
     };
     let why = format!("a state that is off by more than {WRONG} rad is a wrong answer");
-    Ok(Finding { measured, why, ..Finding::number(wrong.len() as f64, "", 0.0, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(wrong.len() as f64, "", 0.0, verdict)
+    })
 }

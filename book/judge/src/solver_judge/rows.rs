@@ -4,6 +4,7 @@
 use super::asked::{self, Asked, evenly, largest_of};
 use super::ladder::Ladder;
 use super::outputs::{OUTPUTS, rounded};
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 
@@ -57,7 +58,10 @@ pub fn free(asked: Asked<'_>, ladder: &Ladder, claimed: bool) -> Measured<Findin
         about(bound)
     );
     let measured = what + &cost;
-    Ok(Finding { measured, why, ..Finding::number(with, "rad", bound, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(with, "rad", bound, verdict)
+    })
 }
 
 /// Times that are easily forgotten, in units of the duration.
@@ -99,7 +103,10 @@ pub fn all(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
         (wrong, _) => (Verdict::Fails, wrong.join("; ")),
     };
     let why = format!("each time has its row, off by {} rad at most", about(bound));
-    Ok(Finding { measured, why, ..Finding::number(worst, "rad", bound, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(worst, "rad", bound, verdict)
+    })
 }
 
 /// As many outputs as are asked for at most, if there is time.
@@ -161,7 +168,10 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     };
     let why =
         format!("a tenth of them took {tenth:.2} s; a run may be off by {} rad", about(bound));
-    Ok(Finding { measured, why, ..Finding::number(largest, "rad", bound, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(largest, "rad", bound, verdict)
+    })
 }
 
 /// Whether all outputs take too long (s) beside a tenth of them: ten times as long where the time

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 
 use super::asked::{Asked, Scenes};
 use super::ladder::Ladder;
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
 use crate::solver::SolveRequest;
@@ -19,7 +20,10 @@ fn off(ladder: &Ladder, what: &str, error: f64, bound: f64) -> Measured<Finding>
         scientific(ladder.usual_error()?),
         about(bound)
     );
-    Ok(Finding { measured, why, ..Finding::number(error, "rad", bound, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(error, "rad", bound, verdict)
+    })
 }
 
 /// The largest error (rad) of a request for each start.
@@ -131,5 +135,8 @@ pub fn repeatable(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     };
     others += u32::from(ladder.miscount.is_some());
     let why = "each request starts afresh".to_string();
-    Ok(Finding { measured, why, ..Finding::number(f64::from(others), "", 0.0, verdict) })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(f64::from(others), "", 0.0, verdict)
+    })
 }

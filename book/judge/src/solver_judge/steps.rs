@@ -7,6 +7,8 @@ use std::sync::LazyLock;
 use super::asked::{Asked, Power, Scenes, single};
 use super::ladder::{Ladder, Rung};
 use super::outputs::{in_words, rounded};
+use crate::Description;
+use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::{ByTolerance, Solver};
@@ -69,7 +71,12 @@ pub fn tolerance(ladder: &Ladder, ours: &Ours) -> Finding {
         ladder.an_evaluation().map_or("–".to_string(), |(times, _)| rounded(times)),
         rounded(multiple(&ours.dormand_prince, ladder.usual()))
     );
-    Finding { measured, values: vec![slope.value, rise], verdict, why, ..Finding::default() }
+    Finding {
+        measurement: Measurement::Said { measured, why },
+        values: vec![slope.value, rise],
+        verdict,
+        ..Finding::default()
+    }
 }
 
 /// What is to be said where too few errors tell.
@@ -85,7 +92,10 @@ fn no_slope(ladder: &Ladder) -> Finding {
         ladder.rungs.len()
     );
     let why = "a line needs four points".to_string();
-    Finding { measured, why, ..Finding::number(worst, "rad", 0.1, verdict) }
+    Finding {
+        measurement: Measurement::Said { measured, why },
+        ..Finding::number(worst, "rad", 0.1, verdict)
+    }
 }
 
 /// How many times the tolerance the error is.
@@ -163,7 +173,12 @@ pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
         in_words(power),
         varies(power, claimed)
     );
-    Ok(Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        values: vec![power.value],
+        verdict,
+        ..Finding::default()
+    })
 }
 
 /// How far below the claimed power the measured one may be. In the limit of short steps it is the
@@ -218,7 +233,12 @@ pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
         in_words(power),
         varies(power, claimed)
     );
-    Ok(Finding { measured, values: vec![power.value], verdict, why, ..Finding::default() })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why },
+        values: vec![power.value],
+        verdict,
+        ..Finding::default()
+    })
 }
 
 /// The smallest error that it comes to.
@@ -231,7 +251,13 @@ pub fn precision(ladder: &Ladder) -> Finding {
     };
     let measured = format!("{what}off by {} rad at best", scientific(least));
     let why = "a double has sixteen digits, and a single seven".to_string();
-    Finding { measured, values: vec![least], unit: "rad", verdict, why, ..Finding::default() }
+    Finding {
+        measurement: Measurement::Said { measured, why },
+        values: vec![least],
+        unit: "rad",
+        verdict,
+        ..Finding::default()
+    }
 }
 
 /// Evaluations beside those of the library for the same error.
@@ -255,16 +281,16 @@ pub fn effort(ladder: &Ladder, ours: &Ours) -> Measured<Finding> {
         "{by_5} times the evaluations of Dormand–Prince 5(4) for an error of 10⁻⁶ rad, and {by_8} \
          times those of DOP853"
     );
-    Ok(Finding { measured, values, verdict: Verdict::Unclaimed, ..Finding::default() })
+    Ok(Finding {
+        measurement: Measurement::Said { measured, why: String::new() },
+        values,
+        verdict: Verdict::Unclaimed,
+        ..Finding::default()
+    })
 }
 
-/// What it is, in words.
-pub fn description(ladder: &Ladder) -> String {
-    let power = |power: Option<Power>| power.map(in_words);
-    match (power(ladder.order()), power(ladder.estimate())) {
-        (Some(order), Some(estimate)) => {
-            format!("a solver of order {order} with an estimate of power {estimate}")
-        }
-        _ => "a solver that does not tell its order".to_string(),
-    }
+/// What it is.
+pub fn description(ladder: &Ladder) -> Description {
+    let power = |power: Option<Power>| power.map(|it| [it.value, it.uncertainty]);
+    Description::Solver { order: power(ladder.order()), estimate: power(ladder.estimate()) }
 }

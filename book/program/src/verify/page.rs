@@ -4,7 +4,7 @@ use pendula::Phase;
 use pendula_charts::{Axis, Chart, Figure, Style};
 use pendula_judge::formats::Judged;
 use pendula_judge::printable::escaped;
-use pendula_judge::{Claims, Finding, Report, Verdict, scientific};
+use pendula_judge::{Claims, Finding, Property, Report, Verdict, scientific};
 
 use crate::output::page::{Page, with_code};
 
@@ -28,7 +28,7 @@ fn verdict(report: &Report) -> String {
         _ => "alarm",
     };
     let look_at: String = report
-        .look_at
+        .look_at()
         .iter()
         .map(|line| format!("<li>What to look at: {}</li>\n", with_code(line)))
         .collect();
@@ -65,10 +65,13 @@ fn properties(report: &Report) -> String {
 
 fn row(finding: &Finding) -> String {
     let class = if finding.verdict == Verdict::Fails { r#" class="alarm""# } else { "" };
-    let [name, claimed, verdict] =
-        [finding.name, finding.claimed.as_deref().unwrap_or("–"), finding.verdict.name()]
-            .map(escaped);
-    let [measured, why] = [&finding.measured, &finding.why].map(|text| with_code(text));
+    let [name, claimed, verdict] = [
+        finding.property.name(),
+        finding.claimed.as_deref().unwrap_or("–"),
+        finding.verdict.name(),
+    ]
+    .map(escaped);
+    let [measured, why] = [finding.measured(), finding.why()].map(|text| with_code(&text));
     format!(
         r#"<tr{class}><th scope="row">{name}</th><td>{claimed}</td><td>{verdict}</td>
 <td>{measured}<p class="how">{why}</p></td></tr>
@@ -249,7 +252,7 @@ enum Power {
 impl Power {
     /// That which is claimed or, if none is, found.
     fn of(report: &Report, claims: &Claims) -> Option<Self> {
-        let found = || report.finding("estimate")?.values.first().copied();
+        let found = || report.finding(Property::Estimate)?.values.first().copied();
         claims.estimate.map(Self::Claimed).or_else(|| found().map(Self::Found))
     }
 }
@@ -365,7 +368,7 @@ mod tests {
             vec![(1e-3, 1e-2, Some(32)), (1e-5, 1e-4, Some(320)), (1e-7, 0.0, None)];
         report.evidence.outputs = vec![(0.0, 0.0), (1.0, 1e-3), (2.0, 1e-4)];
         let mut estimate = Finding::default();
-        (estimate.name, estimate.values) = ("estimate", vec![2.04]);
+        (estimate.property, estimate.values) = (Property::Estimate, vec![2.04]);
         report.findings = vec![estimate];
         for (claims, slope) in [
             (Claims::none(), "slope −1/2.0, found"),

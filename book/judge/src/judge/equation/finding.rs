@@ -2,13 +2,9 @@
 
 use super::Looked;
 use super::departure::{Departure, Kind, Place};
+use crate::finding::{Finding, Measurement};
 use crate::judge::answers::Match;
-use crate::judge::report::{Finding, about};
 use crate::judge::verdict::{Measured, Verdict};
-
-const RIGHT: &str = "θ̈ = −(g/L) sin θ";
-/// Why a change of output fails.
-pub const NOT_THE_METHOD: &str = "the adapter or the output, and not the method";
 
 /// The two findings, and what they are made of.
 pub struct Told {
@@ -32,43 +28,29 @@ impl Told {
         let of_equation = seen.and_then(|looked| looked.departure.clone());
         let (equation, output) = match (of_equation, output) {
             // A change of output behind which nothing right was found.
-            (Some(found), None) if found.kind.place() == Place::Output => (None, Some(found)),
+            (Some(found), None) if found.place() == Place::Output => (None, Some(found)),
             found => found,
         };
         let force = seen.filter(|_| equation.is_some()).map(|looked| looked.force.clone());
         let force = force.unwrap_or_default();
         let of_equation = looked.clone().map(|looked| match (&equation, looked, known) {
-            (Some(departure), ..) => Finding {
-                measured: departure.equation.clone().unwrap_or_else(|| "another one".to_string()),
-                values: departure.values.clone(),
-                verdict: Verdict::Fails,
-                why: departure.sentence.clone(),
-                ..Finding::default()
-            },
+            (Some(departure), ..) => Finding::departing(departure, Measurement::OtherEquation),
             (None, Some(looked), _) => Finding {
-                measured: RIGHT.to_string(),
-                why: format!("its rates at fourteen states, to {}", about(looked.known_to)),
+                measurement: Measurement::RightRates,
                 ..Finding::number(looked.known_to, "", looked.known_to, Verdict::Holds)
             },
             (None, None, Some(known)) => Finding {
-                measured: RIGHT.to_string(),
-                why: format!("its steps are those of {}", known.known.name),
+                measurement: Measurement::StepsOf(known.known.name.as_str()),
                 ..Finding::number(known.apart, "rad", known.apart, Verdict::Holds)
             },
             (None, None, None) => Finding::nothing("nothing was found of it".to_string()),
         });
         // Angles without their turns are told where turns are.
-        let changed = output.as_ref().filter(|departure| departure.kind != Kind::Wrapped);
+        let changed = output.as_ref().filter(|departure| departure.kind() != Kind::Wrapped);
         let of_output = match changed {
-            Some(departure) => Ok(Finding {
-                measured: departure.sentence.clone(),
-                values: departure.values.clone(),
-                verdict: Verdict::Fails,
-                why: NOT_THE_METHOD.to_string(),
-                ..Finding::default()
-            }),
+            Some(departure) => Ok(Finding::departing(departure, Measurement::OtherOutput)),
             None => of_equation.clone().map(|_| Finding {
-                measured: "θ in rad, ω in rad/s, row by row".to_string(),
+                measurement: Measurement::AsAsked,
                 verdict: Verdict::Holds,
                 ..Finding::default()
             }),

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::departure::{Departure, Kind, in_words, short};
+use super::departure::{Departure, Of, short};
 use super::field::{Field, STARTS};
 use super::output::Undo;
 use crate::judge::probe::{G_OVER_L, Probe, frequency, step};
@@ -60,63 +60,49 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
         pairs.clone().all(|(a, b)| (a - b).abs() <= known_to + 1e-6 * b.abs())
     };
     let scaled = |a: f64, b: f64| near([[a, 0.0, 0.0], [0.0, b, 0.0]]);
-    let output = |kind, sentence: &str, undo: &[Undo]| {
-        Ok((Departure::new(kind, &[], sentence), undo.to_vec()))
-    };
+    let output = |departure, undo: &[Undo]| Ok((departure, undo.to_vec()));
     if scaled(DEGREES, DEGREES) {
-        let undo = Undo::Out([DEGREES, DEGREES]);
-        return output(Kind::DegreesOut, "It hands out degrees", &[undo]);
+        return output(Departure::DegreesOut(Of::Both), &[Undo::Out([DEGREES, DEGREES])]);
     }
     if scaled(DEGREES, 1.0) {
-        let undo = Undo::Out([DEGREES, 1.0]);
-        return output(Kind::DegreesOut, "It hands out angles in degrees", &[undo]);
+        return output(Departure::DegreesOut(Of::Angle), &[Undo::Out([DEGREES, 1.0])]);
     }
     if scaled(1.0, DEGREES) {
-        let undo = Undo::Out([1.0, DEGREES]);
-        return output(Kind::DegreesOut, "It hands out velocities in degrees a second", &[undo]);
+        return output(Departure::DegreesOut(Of::Velocity), &[Undo::Out([1.0, DEGREES])]);
     }
     if scaled(1.0 / DEGREES, 1.0 / DEGREES) {
         let undo = Undo::In([1.0 / DEGREES, 1.0 / DEGREES]);
-        return output(Kind::DegreesIn, "It takes the start for degrees", &[undo]);
+        return output(Departure::DegreesIn(Of::Both), &[undo]);
     }
     if scaled(1.0 / DEGREES, 1.0) {
-        let undo = Undo::In([1.0 / DEGREES, 1.0]);
-        return output(Kind::DegreesIn, "It takes the angle of the start for degrees", &[undo]);
+        return output(Departure::DegreesIn(Of::Angle), &[Undo::In([1.0 / DEGREES, 1.0])]);
     }
     if near([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]) {
         let undo = [Undo::SwappedOut, Undo::SwappedIn];
-        return output(Kind::Swapped, "It exchanges θ and ω", &undo);
+        return output(Departure::Swapped { taken_too: false }, &undo);
     }
-    if near([[1.0, 0.0, PI], [0.0, 1.0, 0.0]]) {
-        let undo = [Undo::Raised(PI)];
-        return output(Kind::FromTheTop, "It hands out the angle from the top", &undo);
-    }
-    if near([[1.0, 0.0, -PI], [0.0, 1.0, 0.0]]) {
-        let undo = [Undo::Raised(-PI)];
-        return output(Kind::FromTheTop, "It hands out the angle from the top", &undo);
+    for raised in [PI, -PI] {
+        if near([[1.0, 0.0, raised], [0.0, 1.0, 0.0]]) {
+            return output(Departure::FromTheTop, &[Undo::Raised(raised)]);
+        }
     }
     if near([[1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]) {
-        let sentence = "The change of θ is not multiplied by the step: θ + ω";
-        return Ok((Departure::new(Kind::WithoutStep, &[], sentence), Vec::new()));
+        return output(Departure::WithoutStep(Of::Angle), &[]);
     }
-    let ignored =
-        |sentence: &str| Ok((Departure::new(Kind::Values, &[], sentence.to_string()), Vec::new()));
     if scaled(1.0, 0.0) {
-        return ignored("It begins at rest, whatever velocity it is given");
+        return output(Departure::StartIgnored(Of::Velocity), &[]);
     }
     if scaled(0.0, 1.0) {
-        return ignored("It begins at the bottom, whatever angle it is given");
+        return output(Departure::StartIgnored(Of::Angle), &[]);
     }
     let [angle, share] = [factors[0][0], factors[1][1]];
     if scaled(1.0, share) && share > 0.0 && keeps_losing(probe, share)? {
         let left = short(share, known_to);
-        let words = in_words(left, known_to);
-        let sentence = format!("Each step multiplies ω by {words}, however long it is");
-        return Ok((Departure::new(Kind::DragEachStep, &[left], sentence), Vec::new()));
+        return output(Departure::DragEachStep { left, known_to }, &[]);
     }
     // Off, but by less than a factor can be told to: where it leads says more.
     if scaled(1.0, 1.0) {
-        return Ok((other(field), Vec::new()));
+        return output(other(field), &[]);
     }
     if scaled(angle, share) && angle != 0.0 && share != 0.0 {
         // A factor of a few digits is meant to have no more.
@@ -124,17 +110,10 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
             let few = short(x, 1e-9);
             if (few - x).abs() <= known_to && few == short(x, 1e-7) { few } else { x }
         });
-        let words = match times.map(|x| in_words(x, known_to)) {
-            [a, b] if a == b => format!("{a} times the angle and the velocity"),
-            [a, b] if a == "1" => format!("{b} times the velocity"),
-            [a, b] if b == "1" => format!("{a} times the angle"),
-            [a, b] => format!("{a} times the angle and {b} times the velocity"),
-        };
-        let sentence = format!("At g/L = {G_OVER_L} 1/s² it hands out {words}");
-        let undo = vec![Undo::Out(times), Undo::In(times)];
-        return Ok((Departure::new(Kind::Scaled, &times, sentence), undo));
+        let departure = Departure::Scaled { times, taken: false, known_to };
+        return output(departure, &[Undo::Out(times), Undo::In(times)]);
     }
-    Ok((other(field), Vec::new()))
+    output(other(field), &[])
 }
 
 /// Whether each step leaves this share of the velocity, and not only what is handed out.
@@ -153,10 +132,8 @@ fn without_step(field: &Field) -> Option<Departure> {
     let factor = least_squares(&sines, &kicks);
     let still = field.jump.iter().all(|jump| jump[0].abs() <= known_to);
     let right = (factor[0] * frequency / G_OVER_L - 1.0).abs() <= 1e-3;
-    (still && right && residual(&sines, &factor, &kicks) <= known_to).then(|| {
-        let sentence = "The change of ω is not multiplied by the step: ω − (g/L) sin θ";
-        Departure::new(Kind::WithoutStep, &[], sentence)
-    })
+    let told = still && right && residual(&sines, &factor, &kicks) <= known_to;
+    told.then_some(Departure::WithoutStep(Of::Velocity))
 }
 
 /// A state that a step of no length moves, described by where it goes.
@@ -170,14 +147,9 @@ fn other(field: &Field) -> Departure {
     let [theta, q] = STARTS[k];
     let [moved, kicked] = field.jump[k];
     let known_to = field.known_to[0].max(5e-4).min(0.05 * far(&k));
-    let words = |theta: f64, q: f64| {
-        let [theta, omega] = [theta, q * frequency].map(|x| in_words(x, known_to));
-        format!("({theta} rad, {omega} rad/s)")
-    };
-    let sentence = format!(
-        "However short a step is, it leads from {} to {}",
-        words(theta, q),
-        words(theta + moved, q + kicked)
-    );
-    Departure::new(Kind::Values, &[theta + moved, (q + kicked) * frequency], sentence)
+    Departure::Jump {
+        from: [theta, q * frequency],
+        to: [theta + moved, (q + kicked) * frequency],
+        known_to,
+    }
 }

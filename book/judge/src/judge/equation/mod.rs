@@ -8,17 +8,19 @@
 mod departure;
 mod field;
 mod finding;
+pub(crate) mod form;
 mod jumps;
 mod output;
 mod rates;
 mod solved;
 
-pub use departure::{Departure, Kind, Place};
-pub use finding::{NOT_THE_METHOD, Told};
+pub(crate) use departure::short;
+pub use departure::{Added, Departure, Kind, Of, Place, Range};
+pub use finding::Told;
+pub use form::Equation;
 pub use output::{Undo, Undone};
 pub use solved::{Solved, Solver};
 
-use self::departure::{in_words, short};
 use self::field::{Field, STARTS};
 use super::probe::{G_OVER_L, Probe, distance, frequency, step};
 use super::series::{least_squares, residual};
@@ -74,8 +76,7 @@ pub fn output(probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
         }
     }
     if late {
-        let sentence = "Each state is handed out a step late: the first row is the start";
-        return Ok(Some((Departure::new(Kind::RowsLate, &[1.0], sentence), Undo::Late(1))));
+        return Ok(Some((Departure::RowsLate(1), Undo::Late(1))));
     }
     Ok(None)
 }
@@ -136,8 +137,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
         (rate[1] * G_OVER_L - theta).abs() <= 1e-3 + SURE * field.known_to[1] * G_OVER_L
     });
     if angle_in_the_force && is_right(&Undone { stranger, undo: Undo::Swapped })? {
-        let sentence = "It takes and hands out ω for θ and θ for ω";
-        let departure = Departure::new(Kind::Swapped, &[], sentence);
+        let departure = Departure::Swapped { taken_too: true };
         return Ok((Looked::with(Some(departure), &field), Some(Undo::Swapped)));
     }
     let four = field::measure(probe, 4.0 * G_OVER_L, 0)?;
@@ -151,7 +151,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
         Ok(false) => (at_the_start(departure), None),
         _ => (departure, solved),
     };
-    let in_degrees = departure.kind == Kind::DegreesInAndOut;
+    let in_degrees = departure.kind() == Kind::DegreesInAndOut;
     let undo = in_degrees.then_some(Undo::InAndOut([core::f64::consts::PI / 180.0; 2]));
     let [field, ..] = &fields;
     let looked = Looked { solved, ..Looked::with(Some(departure), field) };
@@ -168,9 +168,7 @@ fn first_step(field: &Field) -> (Looked, Option<Undo>) {
     if !twice {
         return (Looked::with(None, field), None);
     }
-    let sentence = "Each state is handed out a step early: the first row is that of two steps";
-    let departure = Departure::new(Kind::RowsEarly, &[1.0], sentence);
-    (Looked::with(Some(departure), field), Some(Undo::Early(1)))
+    (Looked::with(Some(Departure::RowsEarly(1)), field), Some(Undo::Early(1)))
 }
 
 /// Whether a step is the same late in a run as from its state: that of a force that depends on the
@@ -191,24 +189,10 @@ fn forgets(probe: &Probe<'_>) -> Measured<bool> {
 
 /// What is found at t = 0 of a force that depends on the time, or on what was before.
 fn at_the_start(departure: Departure) -> Departure {
-    let of_steps = departure.kind == Kind::Step;
-    let Departure { sentence, values, .. } = departure;
-    if of_steps {
-        let sentence = format!(
-            "The steps are not all of one length: the first is {} h",
-            in_words(values[0], 1e-6)
-        );
-        return Departure::new(Kind::Values, &values, sentence);
+    match departure {
+        Departure::Step { times, .. } => Departure::FirstStep { times },
+        departure => Departure::ChangesInTime(Box::new(departure)),
     }
-    let found = match sentence.split_once(": ") {
-        Some((_, found)) => found.to_string(),
-        None => sentence,
-    };
-    let sentence = format!(
-        "The force depends on the time, or on what was before: in the first step {}",
-        found.to_lowercase().replace("g/l", "g/L")
-    );
-    Departure::new(Kind::Values, &values, sentence)
 }
 
 /// What was done with the step, where no field can be had: a step that is the same whatever is
@@ -237,21 +221,19 @@ fn of_the_step(probe: &Probe<'_>) -> Measured<Option<Departure>> {
         return fixed_step(probe).map(Some);
     }
     if let Some(times) = times(probe)? {
-        return Ok(Some(rates::of_step(times)));
+        return Ok(Some(Departure::Step { times, equation: None }));
     }
     // Sixty-four times as large in a step a sixty-fourth as long.
     let grows = |part: usize| {
         let [a, b] = [largest(&middle, part), largest(&short_way, part)];
         b > 16.0 * a && a > room
     };
-    let what = match [grows(0), grows(1)] {
-        [false, false] => return Ok(None),
-        [true, true] => "the changes of θ and ω are",
-        [true, false] => "the change of θ is",
-        [false, true] => "the change of ω is",
-    };
-    let sentence = format!("A step grows as 1/h: {what} divided by h");
-    Ok(Some(Departure::new(Kind::DividedByStep, &[], sentence)))
+    Ok(match [grows(0), grows(1)] {
+        [false, false] => None,
+        [true, true] => Some(Departure::DividedByStep(Of::Both)),
+        [true, false] => Some(Departure::DividedByStep(Of::Angle)),
+        [false, true] => Some(Departure::DividedByStep(Of::Velocity)),
+    })
 }
 
 /// How many times as long a step is, where that is so much, or so little, that no field can be had:
@@ -277,23 +259,12 @@ fn fixed_step(probe: &Probe<'_>) -> Measured<Departure> {
     let known_to = 1e-9 + 10.0 * probe.rounding;
     let other = Request::run(Phase { theta: 0.5, omega: -1.0 }, step(0.25), 1);
     if probe.end(other)? == probe.end(Request::run(start, step(0.25), 1))? {
-        let [theta, omega] = [one.theta, one.omega].map(|x| in_words(x, known_to));
-        let sentence = format!("It leads to ({theta} rad, {omega} rad/s), wherever it starts");
-        return Ok(Departure::new(Kind::Values, &[one.theta, one.omega], sentence));
+        return Ok(Departure::FixedEnd { theta: one.theta, omega: one.omega, known_to });
     }
     let moves = (one.omega - 1.0).abs() <= 1e-6 && one.theta != 0.0;
-    if !moves {
-        let sentence = "A step is the same, however long it is to be";
-        return Ok(Departure::new(Kind::FixedStep, &[], sentence));
-    }
-    let h = short(one.theta, known_to);
-    let words = in_words(h, known_to);
-    let sentence = if (two.theta - one.theta).abs() <= 1e-6 * one.theta.abs() {
-        format!("A run takes {words} s, however many steps of whatever length are asked for")
-    } else {
-        format!("Its step is {words} s, whatever is asked for")
-    };
-    Ok(Departure::new(Kind::FixedStep, &[h], sentence))
+    let whole_run = moves && (two.theta - one.theta).abs() <= 1e-6 * one.theta.abs();
+    let step = moves.then(|| short(one.theta, known_to));
+    Ok(Departure::FixedStep { step, whole_run, known_to })
 }
 
 fn by_jumps(
@@ -304,25 +275,22 @@ fn by_jumps(
     let (departure, undos) = jumps::told(probe, field)?;
     for undo in undos.iter().copied() {
         // A factor is known to what the jumps are.
-        let known_to = if departure.kind == Kind::Scaled { 1e-8 } else { 0.0 };
+        let known_to = if departure.kind() == Kind::Scaled { 1e-8 } else { 0.0 };
         if is_right_to(&Undone { stranger, undo }, known_to)? {
-            let departure = match undo {
-                Undo::In(_) if departure.kind == Kind::Scaled => taken(departure),
-                _ => departure,
+            // A factor of what is returned is one of what is taken.
+            let departure = match (undo, departure) {
+                (Undo::In(_), Departure::Scaled { times, known_to, .. }) => {
+                    Departure::Scaled { times, taken: true, known_to }
+                }
+                (_, departure) => departure,
             };
             return Ok((Looked::with(Some(departure), field), Some(undo)));
         }
     }
-    // Behind it stands another equation; which of several changes it is cannot be told.
+    // Behind it is another equation; which of several changes it is cannot be told.
     let alone = if let [undo] = undos[..] { Some(undo) } else { None };
     let looked = Looked { force: Vec::new(), ..Looked::with(Some(departure), field) };
     Ok((looked, alone))
-}
-
-/// A factor of what is handed out is one of what is taken.
-fn taken(departure: Departure) -> Departure {
-    let sentence = departure.sentence.replace("it hands out", "it takes the start for");
-    Departure { sentence, ..departure }
 }
 
 /// A rate that vanishes, whose change goes with the square of the step, or is none.
@@ -342,23 +310,15 @@ fn vanishing(probe: &Probe<'_>, field: &Field) -> Measured<Option<Departure>> {
     let departure = if none(1) {
         match square(1, |[theta, _]| -libm::sin(theta)) {
             Some(factor) => {
-                let sentence = "The kick is proportional to h², not to h";
-                Departure::new(Kind::SquaredStep, &[short(factor, 1e-6)], sentence)
+                Departure::SquaredStep { of: Of::Velocity, factor: short(factor, 1e-6) }
             }
-            None if stays(probe, |z| z.omega)? => {
-                Departure::new(Kind::NoKick, &[], "The force never reaches the velocity")
-            }
+            None if stays(probe, |z| z.omega)? => Departure::NoKick,
             None => return Ok(None),
         }
     } else if none(0) {
         match square(0, |[_, q]| q) {
-            Some(factor) => {
-                let sentence = "The drift is proportional to h², not to h";
-                Departure::new(Kind::SquaredStep, &[short(factor, 1e-6)], sentence)
-            }
-            None if stays(probe, |z| z.theta)? => {
-                Departure::new(Kind::NoDrift, &[], "The velocity never reaches the angle")
-            }
+            Some(factor) => Departure::SquaredStep { of: Of::Angle, factor: short(factor, 1e-6) },
+            None if stays(probe, |z| z.theta)? => Departure::NoDrift,
             None => return Ok(None),
         }
     } else {
@@ -404,16 +364,12 @@ fn units(probe: &Probe<'_>, field: &Field) -> Measured<Option<Departure>> {
     let Some([kicks_at_four, time_at_four]) = strange(&four) else { return Ok(None) };
     // An increment of ω is, in units of the angle, √(g/L) times as large; a time as much smaller.
     let near = |a: f64, b: f64| (a - b).abs() <= 0.25 * b.abs();
-    let what = if kicks.abs() > time.abs() && near(kicks_at_four, 2.0 * kicks) {
-        "an increment of ω"
+    let added = if kicks.abs() > time.abs() && near(kicks_at_four, 2.0 * kicks) {
+        Added::Velocity
     } else if time.abs() > kicks.abs() && near(time_at_four, 0.5 * time) {
-        "the step itself"
+        Added::Step
     } else {
         return Ok(None);
     };
-    let sentence = format!(
-        "The stages add {what} to θ: quantities of different units. A method for θ̈ needs stages \
-         for both θ and ω"
-    );
-    Ok(Some(Departure::new(Kind::Units, &[], sentence)))
+    Ok(Some(Departure::Units(added)))
 }

@@ -3,7 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::departure::{Departure, Kind};
+use super::departure::{Departure, Range};
 use crate::stranger::{Fault, Reply, Request, Stranger};
 use pendula::systems::Phase;
 
@@ -129,19 +129,13 @@ pub fn wrapped(ends: &[(f64, f64)]) -> Option<Departure> {
         return None;
     }
     let [least, most] = ends_in;
-    let range = if least >= -PI && most <= PI {
-        "(−π, π]"
+    Some(Departure::Wrapped(if least >= -PI && most <= PI {
+        Range::AboutZero
     } else if least >= 0.0 && most < TAU {
-        "[0, 2π)"
+        Range::FromZero
     } else {
-        "within a turn"
-    };
-    let sentence = match range {
-        "within a turn" => "Its angles are kept within a turn".to_string(),
-        range => format!("Its angles are kept in {range}"),
-    };
-    let sentence = format!("{sentence}: whole turns are not counted");
-    Some(Departure::new(Kind::Wrapped, &[], sentence))
+        Range::OfATurn
+    }))
 }
 
 /// The fewest decimals, and the fewest significant digits, with which all of these numbers can be
@@ -180,30 +174,13 @@ pub fn cut_off(numbers: &[f64], rounding: f64) -> Option<Departure> {
     }
     // What is cut off by far less than it is rounded is not what rounds.
     let coarse = |last: f64| rounding <= 30.0 * last;
-    // A word for each up to nine.
-    let count = |n: usize| {
-        const WORDS: [&str; 9] =
-            ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine"];
-        n.checked_sub(1).and_then(|n| WORDS.get(n)).map_or(n.to_string(), |word| word.to_string())
-    };
     match (decimals, digits) {
         (decimals, Some(digits)) if decimals.is_none_or(|decimals| digits <= decimals) => {
-            if !coarse(libm::pow(10.0, 1.0 - digits as f64)) {
-                return None;
-            }
-            let sentence = format!("It prints {} significant digits", count(digits));
-            Some(Departure::new(Kind::Digits, &[digits as f64], sentence))
+            coarse(libm::pow(10.0, 1.0 - digits as f64)).then_some(Departure::Digits(digits))
         }
-        (Some(0), _) => Some(Departure::new(Kind::Decimals, &[0.0], "It prints whole numbers")),
+        (Some(0), _) => Some(Departure::Decimals(0)),
         (Some(decimals), _) => {
-            if !coarse(libm::pow(10.0, -(decimals as f64))) {
-                return None;
-            }
-            let power = format!("10⁻{}", crate::judge::report::raised(decimals));
-            let (many, s) = (count(decimals), if decimals == 1 { "" } else { "s" });
-            let sentence =
-                format!("It prints {many} decimal{s} (every number is a multiple of {power})");
-            Some(Departure::new(Kind::Decimals, &[decimals as f64], sentence))
+            coarse(libm::pow(10.0, -(decimals as f64))).then_some(Departure::Decimals(decimals))
         }
         (None, _) => None,
     }

@@ -1,7 +1,11 @@
 //! The equation that is solved in place of the pendulum's, as a system, and the method on it.
 
+use core::f64::consts::PI;
+
+use super::departure::short;
+use super::form::{DEGREES, Equation, SHAPES};
 use crate::judge::identity::{Asked, names};
-use crate::judge::probe::distance;
+use crate::judge::probe::{G_OVER_L, distance};
 use crate::known_answers;
 use pendula::registry::method_for_separable;
 use pendula::systems::{Phase, Separable, System};
@@ -63,6 +67,26 @@ pub struct Solver {
 }
 
 impl Solved {
+    /// This equation, with the numbers that are meant.
+    pub fn of(equation: &Equation) -> Self {
+        let Equation { known_to, shape, beside: [linear, quadratic, torque], .. } = *equation;
+        let frequency = libm::sqrt(G_OVER_L);
+        let unit = libm::pow(G_OVER_L, -equation.power());
+        let factor = match (shape, short(equation.factor * unit, known_to)) {
+            (DEGREES, factor) if (factor - 180.0 / PI).abs() <= 60.0 * known_to => 180.0 / PI,
+            (_, factor) => factor,
+        };
+        Self {
+            drift: equation.drifts(),
+            force: SHAPES[shape].value,
+            g_over_l: factor * G_OVER_L / unit,
+            linear: short(linear * frequency, known_to * frequency),
+            quadratic: short(quadratic, known_to),
+            torque: short(torque * G_OVER_L, known_to * G_OVER_L),
+            known_to,
+        }
+    }
+
     /// The method whose steps on this equation the stranger's are: to its own rounding, where no
     /// other method lies within ten times that.
     pub fn method(&self, asked: &Asked) -> Option<Solver> {

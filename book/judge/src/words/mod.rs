@@ -1,0 +1,11 @@
+//! What is said of findings: the only place where data become sentences. No verdict depends on
+//! what stands here.
+
+mod advice;
+mod departure;
+mod equation;
+mod finding;
+pub mod numbers;
+mod report;
+
+pub use advice::sign_of_slopes;
