@@ -122,7 +122,11 @@ fn a_wrong_claim_fails_however_wrong_it_is() {
     for order in [0, 1] {
         let report = judged(&StormerVerlet, &Claims::order(order));
         let found = report.finding(Property::Order).expect("it is claimed");
-        assert_eq!(found.why(), format!("better: 2, not {order}"), "{report}");
+        assert_eq!(
+            found.why(),
+            format!("The order is 2, which is better than {order}."),
+            "{report}"
+        );
         assert_eq!(report.verdict, Verdict::Holds, "{report}");
     }
     for order in [3, 258, 99_999, u32::MAX] {

@@ -240,7 +240,7 @@ fn the_sentences_are_these() {
     let said = programs.map(|(name, program)| {
         format!("{name}: {}\n", told(&judge(&FromFn(program), Claims::order(1))))
     });
-    assert_eq!(said.join("\n"), include_str!("equations.txt"), "\n{}", said.join("\n"));
+    crate::assert_text("equations.txt", &said.join("\n"));
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -492,7 +492,7 @@ fn wrong_program(random: &mut Random, which: usize, method: Method, numbers: Num
     let with_output = |kind: Kind, what: String, handed_out: Box<dyn Fn(State) -> State>| {
         made(kind, what, Box::new(right_step), handed_out)
     };
-    // A right method that takes and hands out otherwise.
+    // A right method that takes and returns otherwise.
     match which {
         0 => with_force(Kind::Force, "θ".into(), Box::new(|g, t, _| -g * t)),
         1 => with_force(Kind::Force, "cos θ".into(), Box::new(|g, t, _| -g * t.cos())),
@@ -830,7 +830,7 @@ fn ten_seconds(g: f64, theta: f64, omega: f64, _: f64, n: u64) -> Vec<State> {
 #[case::half_of_both(
     half_of_both,
     Kind::Scaled,
-    "At g/L = 12.2625 1/s² it hands out 0.5 times the angle and the velocity"
+    "At g/L = 12.2625 1/s² it returns 0.5 times the angle and the velocity"
 )]
 #[case::velocity_taken_for_a_tenth(
     velocity_taken_for_a_tenth,

@@ -198,7 +198,7 @@ fn the_reports_are_these() {
             bounds.map(|(name, bound, unit)| format!("{name} within {bound:.4e} {unit}\n"));
         format!("{report}{}", bounds.collect::<String>())
     });
-    assert_eq!(said.join("\n"), include_str!("reports.txt"), "\n{}", said.join("\n"));
+    crate::assert_text("reports.txt", &said.join("\n"));
     let in_a_test = || judge(&Silent, Claims::order(2)).assert();
     assert!(std::panic::catch_unwind(in_a_test).is_err(), "nothing was measured");
 }

@@ -54,7 +54,7 @@ fn each_wrong_solver_is_caught() {
     let mut said = said.concat();
     caught.retain(|failing| !failing.is_empty());
     said.push(format!("\nThese alone catch all: {}\n", fewest(&caught).join(", ")));
-    assert_eq!(said.join("\n"), include_str!("solvers.txt"), "\n{}", said.join("\n"));
+    crate::assert_text("solvers.txt", &said.join("\n"));
 }
 
 /// What fails, but for the time that many outputs take, which no record has.

@@ -361,7 +361,7 @@ impl Judge<'_> {
         let judged = claims.symplectic || claims.symmetric || listed.is_some();
         let claimed = if judged { self.claims.implied() } else { None };
         let loss = loss.unwrap_or_else(|| {
-            Err(Trouble::NoAnswer("it has nothing that would not lose".to_string()))
+            Err(Trouble::NoAnswer("it conserves nothing in which a loss would show".to_string()))
         });
         self.note(Property::Loss, claimed, loss, loss::Loss::judge)?;
         let name = self.name.clone();
@@ -422,7 +422,7 @@ impl Judge<'_> {
         let order = self.claims.order.or(shown);
         let driven = match order {
             Some(order) => stage_times::measure(&self.probe, order),
-            None => nothing("there is no order to hold them to"),
+            None => nothing("no order is claimed, and none was found"),
         };
         // A program need not know how to drive a pendulum.
         let claimed = match driven {

@@ -422,19 +422,19 @@ fn a_term_too_much_is_found(
 #[case([Fails, Holds, Fails], Fails, "Claims fail: area, order.")]
 #[case(
     [Unclear, Fails, NotMeasured], Fails,
-    "A claim fails: clock; not measured: order; unclear: area.",
+    "A claim fails: clock. Not measured: order. Unclear: area.",
 )]
 #[case(
     [Holds, Unclear, Holds], Unclear,
-    "No claim fails, but not every one is shown; unclear: clock.",
+    "No claim fails, but some could not be decided. Unclear: clock.",
 )]
 #[case(
     [NotMeasured, NotMeasured, Holds], NotMeasured,
-    "No claim fails, but not every one is shown; not measured: area, clock.",
+    "No claim fails, but some could not be decided. Not measured: area, clock.",
 )]
 #[case(
     [Unclear, NotMeasured, Unclear], NotMeasured,
-    "No claim fails, but not every one is shown; not measured: clock; unclear: area, order.",
+    "No claim fails, but some could not be decided. Not measured: clock. Unclear: area, order.",
 )]
 fn the_verdict_on_all_claims_is_the_worst(
     #[case] verdicts: [Verdict; 3],

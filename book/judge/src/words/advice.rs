@@ -67,11 +67,11 @@ impl fmt::Display for Cause {
             }
             Self::OtherOfPair { names: [name, other], orders: [order, claimed] } => write!(
                 f,
-                "It hands on the result of order {order} of a pair, {name}; order {claimed} is \
-                 that of {other}"
+                "It returns the result of order {order} of an embedded pair, {name}. The result of \
+                 order {claimed} is {other}"
             ),
             Self::ClaimTooHigh { title, order, claimed } => {
-                write!(f, "The claim is wrong: {title} is of order {order}, not {claimed}")
+                write!(f, "The claim is wrong, because {title} has order {order}, not {claimed}")
             }
             Self::DriveAtWrongTimes { order } => write!(
                 f,
@@ -80,7 +80,8 @@ impl fmt::Display for Cause {
             ),
             Self::SinglePrecision { rounding } => write!(
                 f,
-                "A step rounds by {}: single precision, in the states or on the way",
+                "A step rounds by {}, as single precision does. Look for it in the states or in the \
+                 computation",
                 about(*rounding)
             ),
             Self::NotUndone => f.write_str("A step with −h does not undo a step with h"),

@@ -194,7 +194,8 @@ impl Departure {
                     Of::Angle => 5e-3,
                     _ => 5e-3 * right.abs().min(1.0),
                 };
-                let [a, b] = differing(*value, *right, known_to.max(least));
+                let known_to = known_to.max(least).min(0.05 * (value - right).abs());
+                let [a, b] = differing(*value, *right, known_to);
                 match of {
                     Of::Angle => format!("{place} the angle's rate is {a}, not {b} rad/s"),
                     _ => format!("{place} the force is {a}, not {b} 1/s²"),

@@ -19,7 +19,7 @@ impl Finding {
                 Some(equation) => equation.to_string(),
                 None => "another one".to_string(),
             },
-            Measurement::AsAsked => "θ in rad, ω in rad/s, row by row".to_string(),
+            Measurement::AsAsked => "θ in rad, ω in rad/s, a row for each state".to_string(),
             Measurement::OtherOutput(departure) => departure.sentence(),
             Measurement::Slopes(_) if self.values.is_empty() => "no slope".to_string(),
             Measurement::Slopes(_) => format!("slopes {}", slopes(&self.values)),
@@ -51,130 +51,144 @@ impl Finding {
             Measurement::NoKnownMethod => "none that is known".to_string(),
             Measurement::Mistake(name) => format!("the known mistake {name}"),
             Measurement::DrivenSlopes { .. } if self.values.is_empty() => {
-                "with a drive: rounding".to_string()
+                "rounding with a drive".to_string()
             }
             Measurement::DrivenSlopes { .. } => {
-                format!("with a drive: slopes {}", slopes(&self.values))
+                format!("slopes with a drive {}", slopes(&self.values))
             }
             Measurement::Said { measured, .. } => measured.clone(),
         }
     }
 
-    /// How it was measured, the bound and where that comes from, or what follows; or why nothing
-    /// was measured.
+    /// How it was measured, the bound and where that comes from, or what follows, in whole
+    /// sentences; or why nothing was measured.
     pub fn why(&self) -> String {
         let first = self.values.first().copied().unwrap_or(f64::NAN);
         let bound = self.bound.unwrap_or(f64::NAN);
         match &self.measurement {
-            Measurement::Nothing => String::new(),
+            Measurement::Nothing | Measurement::AsAsked => String::new(),
             Measurement::NotHad(Trouble::NoAnswer(why)) => why.clone(),
             Measurement::NotHad(trouble) => trouble.to_string(),
-            Measurement::RightRates => {
-                format!("its rates at fourteen states, to {}", about(first))
-            }
-            Measurement::StepsOf(method) => format!("its steps are those of {method}"),
-            Measurement::OtherEquation(departure) => departure.sentence(),
-            Measurement::AsAsked => String::new(),
+            Measurement::RightRates => format!(
+                "The rates of angle and velocity are the pendulum's at fourteen states, to within \
+                 {}.",
+                about(first)
+            ),
+            Measurement::StepsOf(method) => format!("Its steps are those of {method}."),
+            Measurement::OtherEquation(departure) => format!("{}.", departure.sentence()),
             Measurement::OtherOutput(_) => {
-                "the adapter or the output, and not the method".to_string()
+                "The numbers that go in or out cause this, and not the method.".to_string()
             }
             Measurement::Slopes(found) => of_slopes(*found),
             Measurement::Area { x, ruler } => format!(
-                "at x = ω₀h = {x:.1} the area changes by {}; the ruler is right to {}",
+                "A step of x = ω₀h = {x:.1} changes a small area by {} of it. The measurement is \
+                 right to within {}.",
                 scientific(first),
                 about(*ruler)
             ),
             Measurement::WayBack { x, steps, by_itself } => {
-                let back =
-                    if *by_itself { "back with −h" } else { "back with the velocity reversed" };
+                let back = if *by_itself { "with −h" } else { "with the velocity reversed" };
                 format!(
-                    "{steps} steps of x = ω₀h = {x} and {back} miss the start by {} rad; rounding \
-                     makes {} rad at most",
+                    "After {steps} steps of x = ω₀h = {x} and as many back {back}, the start is \
+                     missed by {} rad. Rounding explains at most {} rad.",
                     scientific(first),
                     about(bound)
                 )
             }
             Measurement::EnergyAtEnds { x, steps, law } => {
                 let last = self.values.last().copied().unwrap_or(f64::NAN);
-                let why = format!(
-                    "in {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {} in \
-                     the first tenth and {} in the last",
-                    scientific(first),
-                    scientific(last)
-                );
-                match self.verdict {
-                    Verdict::Unclear => format!("{why}: {}", in_words(*law)),
-                    _ => why,
-                }
-            }
-            Measurement::Apart { by_tolerance } => {
-                let may = if *by_tolerance { "; a tolerance inside it may do so" } else { "" };
-                format!(
-                    "apart by {} rad, where rounding makes {} at most{may}",
-                    scientific(first),
-                    about(bound)
-                )
-            }
-            Measurement::InPieces { steps, remembers } => {
-                let what = match (self.verdict, remembers) {
-                    (Verdict::Holds, true) => ": what it keeps of the past is of no more weight",
-                    (Verdict::Holds, false) => ": rounding",
+                let follows = match (self.verdict, law) {
+                    (Verdict::Unclear, EnergyLaw::Rounding) => " Both are rounding.",
+                    (Verdict::Unclear, _) => " It grows a little, or wanders.",
                     _ => "",
                 };
                 format!(
-                    "{steps} steps in one piece and in several differ by {first:.2} steps' \
-                     worth{what}"
+                    "In {steps} steps of x = ω₀h = {x} from 1 rad the largest |ΔH|/(mgL) is {} in \
+                     the first tenth of the run and {} in the last.{follows}",
+                    scientific(first),
+                    scientific(last)
                 )
             }
-            Measurement::Counted => "counted over a thousand steps".to_string(),
+            Measurement::Apart { by_tolerance } => format!(
+                "The runs differ by up to {} rad. Rounding explains at most {} rad.{}",
+                scientific(first),
+                about(bound),
+                may(*by_tolerance)
+            ),
+            Measurement::InPieces { steps, remembers } => {
+                let what = match (self.verdict, remembers) {
+                    (Verdict::Holds, true) => " A method that remembers older states may do so.",
+                    (Verdict::Holds, false) => " That is rounding.",
+                    _ => "",
+                };
+                format!(
+                    "{steps} steps in one run, and in several runs that continue each other, end \
+                     {first:.2} steps apart.{what}"
+                )
+            }
+            Measurement::Counted => "They were counted over a thousand steps.".to_string(),
             Measurement::SameAnswers(found) => match found {
-                None => "to the bit",
+                None => "Every answer was the same to the bit.",
                 Some(OtherAnswer::SecondTime) => {
-                    "the same request has another answer the second time"
+                    "The same request had another answer the second time."
                 }
-                Some(OtherAnswer::AfterAnother) => "the answer depends on the request before it",
+                Some(OtherAnswer::AfterAnother) => "An answer depends on the request before it.",
                 Some(OtherAnswer::Thinned) => {
-                    "every fifth state of a run is another one if only those are asked for"
+                    "Every fifth state of a run is another one if only those are asked for."
                 }
             }
             .to_string(),
-            Measurement::Rounding { cut_off: Some(cut_off) } => cut_off.sentence(),
+            Measurement::Rounding { cut_off: Some(cut_off) } => format!("{}.", cut_off.sentence()),
             Measurement::Rounding { cut_off: None } => {
-                format!("a step rounds by {} of a state of order 1", about(first))
+                format!("A step rounds a state of order 1 by {}.", about(first))
             }
             Measurement::Lost { by, by_tolerance } => {
                 let by = match by {
-                    LossBy::Reversal => "the energy after the way out and home",
-                    LossBy::Method => "the energy beside its own method's",
-                    LossBy::Area => "the area after many steps",
+                    LossBy::Reversal => "The energy after the way out and back",
+                    LossBy::Method => "The energy, compared with that of the known method,",
+                    LossBy::Area => "The area after many steps",
                 };
-                let may = if *by_tolerance { "; a tolerance inside it may do so" } else { "" };
+                let does = if first < 0.0 { "gain" } else { "loss" };
                 format!(
-                    "by {by}: {} a step, where rounding makes {} at most{may}",
-                    scientific(first),
-                    about(bound)
+                    "{by} shows a {does} of {} per step. Rounding explains at most {}.{}",
+                    scientific(first.abs()),
+                    about(bound),
+                    may(*by_tolerance)
                 )
             }
             Measurement::Is(_) if self.verdict == Verdict::Holds => {
-                "its steps are those of the method".to_string()
+                "Its steps are those of the method.".to_string()
             }
-            Measurement::Is(identity) => format!("it is {identity}"),
+            Measurement::Is(identity) => format!("It is {identity}."),
             Measurement::OneOf(_) => match self.verdict {
-                Verdict::Fails => "its steps are not those of the method".to_string(),
-                _ => "its digits do not tell it from others".to_string(),
+                Verdict::Fails => "Its steps are not those of the method.".to_string(),
+                _ => "Its digits can't tell it from other methods.".to_string(),
             },
-            Measurement::NoKnownMethod => "its steps are those of no known method".to_string(),
+            Measurement::NoKnownMethod => "Its steps are those of no known method.".to_string(),
             Measurement::Mistake(name) => {
-                format!("its steps are those of the known mistake {name}")
+                format!("Its steps are those of the known mistake {name}.")
             }
             Measurement::DrivenSlopes { order, rounding } => match self.values.last() {
-                Some(last) => format!("the slope ends at {}, not {order}", slopes(&[*last])),
-                None if *rounding => "the error of the coarsest steps is rounding".to_string(),
-                None => "too few steps above rounding".to_string(),
+                Some(last) if self.verdict == Verdict::Holds => {
+                    let last = slopes(&[*last]);
+                    format!("With a drive the slopes end at {last}, as order {order} needs.")
+                }
+                Some(last) => {
+                    format!("With a drive the slopes end at {}, not at {order}.", slopes(&[*last]))
+                }
+                None if *rounding => {
+                    "With a drive the error is rounding even at the longest steps.".to_string()
+                }
+                None => "With a drive too few step sizes show more than rounding.".to_string(),
             },
             Measurement::Said { why, .. } => why.clone(),
         }
     }
+}
+
+/// What a tolerance inside the program may explain.
+const fn may(by_tolerance: bool) -> &'static str {
+    if by_tolerance { " A tolerance inside the program may explain it." } else { "" }
 }
 
 const fn in_words(law: EnergyLaw) -> &'static str {
@@ -190,24 +204,31 @@ const fn in_words(law: EnergyLaw) -> &'static str {
 fn of_slopes(found: Slopes) -> String {
     match found {
         Slopes::Unclaimed => String::new(),
-        Slopes::TooFew => "too few steps lie between coarse and rounding".to_string(),
-        Slopes::Tend => "the slopes tend to it as the steps become short".to_string(),
-        Slopes::ComeDown => "the slopes come down to it as the steps become short".to_string(),
-        Slopes::Leave => {
-            "as the steps become short the slopes leave it: a term of lower order".to_string()
+        Slopes::TooFew => {
+            "Too few step sizes lie between coarse ones and rounding to show an order.".to_string()
         }
-        Slopes::Better { shown, claimed } => format!("better: {shown}, not {claimed}"),
-        Slopes::Grows => "the shorter the step, the larger the error".to_string(),
-        Slopes::NoFall => {
-            "the error does not fall, and is as small as that of a tolerance inside it".to_string()
+        Slopes::Tend => "The slopes tend to the order as the steps become short.".to_string(),
+        Slopes::ComeDown => {
+            "The slopes come down to the order as the steps become short.".to_string()
         }
-        Slopes::Settled(last) => format!("the finest slope is {}", slopes(&[last])),
-        Slopes::Between(last) => {
-            format!("the finest slope is {}, on its way or between orders", slopes(&[last]))
+        Slopes::Leave => "The slopes reach the order and leave it again as the steps become \
+                          short, because a term of lower order is left."
+            .to_string(),
+        Slopes::Better { shown, claimed } => {
+            format!("The order is {shown}, which is better than {claimed}.")
         }
+        Slopes::Grows => "The error grows as the steps become short.".to_string(),
+        Slopes::NoFall => "The error doesn't fall. It is as small as a tolerance inside the \
+                           program may leave it."
+            .to_string(),
+        Slopes::Settled(last) => format!("The slopes end at {}.", slopes(&[last])),
+        Slopes::Between(last) => format!(
+            "The slopes end at {}, between two orders or still on the way to one.",
+            slopes(&[last])
+        ),
         Slopes::Long { order, slope, window } => format!(
-            "over the finest steps the slope is {slope:.1}; steps that show order {order} are \
-             long, where a slope is known to ± {window:.1}"
+            "Over the shortest steps the slope is {slope:.1}. Only long steps show order {order}, \
+             and their slope is uncertain by ± {window:.1}."
         ),
     }
 }
@@ -216,7 +237,7 @@ fn of_slopes(found: Slopes) -> String {
 const MOST_NAMES: usize = 3;
 
 /// What it may be, as far as its digits tell.
-pub fn one_of(names: &[&str]) -> String {
+pub(super) fn one_of(names: &[&str]) -> String {
     match names.len() {
         ..=MOST_NAMES => format!("one of: {}", names.join(", ")),
         many => format!("one of {many} methods"),

@@ -44,25 +44,25 @@ impl Report {
     pub fn summary(&self) -> String {
         if !self.anything_claimed() {
             return match self.verdict {
-                Verdict::NotMeasured => "No claims made, and nothing was measured.".to_string(),
-                _ => format!("No claims made. It is {}.", self.what_it_is()),
+                Verdict::NotMeasured => "Nothing is claimed, and nothing was measured.".to_string(),
+                _ => format!("Nothing is claimed. It is {}.", self.what_it_is()),
             };
         }
         let named = |verdict, before: &str| {
             let names: Vec<&str> = self.claimed(verdict).map(Property::name).collect();
-            (!names.is_empty()).then(|| format!("{before}{}", names.join(", ")))
+            (!names.is_empty()).then(|| format!("{before}: {}.", names.join(", ")))
         };
         let many = self.failures().nth(1).is_some();
+        let none = "No claim fails, but some could not be decided.".to_string();
         let parts = [
-            named(Verdict::Fails, if many { "Claims fail: " } else { "A claim fails: " }),
-            named(Verdict::NotMeasured, "not measured: "),
-            named(Verdict::Unclear, "unclear: "),
+            named(Verdict::Fails, if many { "Claims fail" } else { "A claim fails" })
+                .or(Some(none)),
+            named(Verdict::NotMeasured, "Not measured"),
+            named(Verdict::Unclear, "Unclear"),
         ];
-        let parts: Vec<String> = parts.into_iter().flatten().collect();
         match self.verdict {
             Verdict::Holds => "Every claim holds.".to_string(),
-            Verdict::Fails => format!("{}.", parts.join("; ")),
-            _ => format!("No claim fails, but not every one is shown; {}.", parts.join("; ")),
+            _ => parts.into_iter().flatten().collect::<Vec<_>>().join(" "),
         }
     }
 }
@@ -70,8 +70,10 @@ impl Report {
 impl fmt::Display for Description {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Nothing => f.write_str("not known, as nothing that would tell was measured"),
-            Self::OneOf(names) => write!(f, "{}, for all that its digits tell", one_of(names)),
+            Self::Nothing => {
+                f.write_str("not known, because nothing was measured that would show it")
+            }
+            Self::OneOf(names) => write!(f, "{}, as far as its digits show", one_of(names)),
             Self::On(equation) => write!(f, "none of the known methods, on {equation}"),
             Self::BrokeOff(None) => f.write_str("not known"),
             Self::BrokeOff(Some(equation)) => write!(f, "not known, on {equation}"),
@@ -85,7 +87,7 @@ impl fmt::Display for Description {
                 };
                 let properties = [
                     order,
-                    area.map(|holds| which(holds, "keeps area", "does not keep area")),
+                    area.map(|holds| which(holds, "preserves area", "does not preserve area")),
                     symmetric.map(|holds| which(holds, "symmetric", "not symmetric")),
                 ];
                 let properties: Vec<String> = properties.into_iter().flatten().collect();
@@ -107,8 +109,8 @@ impl fmt::Display for Description {
                     .map(|[value, off]| format!("{value:.1} ± {:.1}", off.max(0.1)));
                 write!(f, "a solver of order {order} with an estimate of power {estimate}")
             }
-            Self::Solver { .. } => f.write_str("a solver that does not tell its order"),
-            Self::SolvesNothing => f.write_str("not known, as it does not solve"),
+            Self::Solver { .. } => f.write_str("a solver whose order does not show"),
+            Self::SolvesNothing => f.write_str("not known, because it does not solve"),
         }
     }
 }
@@ -143,7 +145,7 @@ impl fmt::Display for Report {
                 _ => writeln!(f, "{}{}", padded(row), finding.measured())?,
             }
             if matches!(verdict, Verdict::Fails | Verdict::Unclear) {
-                writeln!(f, "    {}: {}", verdict.name(), finding.why())?;
+                writeln!(f, "    {}", finding.why())?;
             }
         }
         if !self.advice.is_empty() {
