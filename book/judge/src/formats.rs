@@ -8,7 +8,7 @@ use crate::{Advice, Claims, Departure, Finding, Report, Verdict};
 /// A program with what was found of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged<'a> {
-    /// The command that started it.
+    /// The command that started it; empty where it is a function that is called.
     pub command: &'a str,
     /// What it calls itself, which may be nothing.
     pub name: &'a str,
@@ -19,9 +19,13 @@ pub struct Judged<'a> {
 }
 
 impl Judged<'_> {
-    /// Its name, or the command where it has none.
+    /// Its name, or the command where it has none; a function may have neither.
     pub fn title(&self) -> &str {
-        if self.name.is_empty() { self.command } else { self.name }
+        match (self.name, self.command) {
+            ("", "") => "an integrator",
+            ("", command) => command,
+            (name, _) => name,
+        }
     }
 
     /// What is claimed, in words.

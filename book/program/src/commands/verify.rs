@@ -154,14 +154,15 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (report, name) = judged.map_err(Failure::Refused)?;
     let words: Vec<_> = arguments.program.iter().map(|word| word.to_string_lossy()).collect();
     let command = match arguments.stdio {
-        true => "standard input".to_string(),
+        true => String::new(),
         false => words.join(" "),
     };
     let judged =
         Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
     let mut destination = destination;
     if let Some(destination) = &mut destination {
-        let html = page::html(&judged);
+        let today = jiff::Zoned::now().date().to_string();
+        let html = page::html(&judged, &today);
         destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
         destination.flush().context("--report").map_err(refused)?;
     }

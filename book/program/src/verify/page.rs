@@ -8,18 +8,38 @@ use pendula_judge::{Claims, Finding, Property, Report, Verdict, scientific};
 
 use crate::output::page::{Page, with_code};
 
-/// The page.
-pub fn html(judged: &Judged<'_>) -> String {
-    let Judged { command, name, claims, report } = *judged;
-    let claimed = judged.claimed();
-    let named = if name.is_empty() { String::new() } else { format!(" ({name})") };
+/// The page, made on this `date`.
+pub fn html(judged: &Judged<'_>, date: &str) -> String {
+    let Judged { command, name, report, .. } = *judged;
+    let tested = match (command, name) {
+        ("", "") => "Tested".to_string(),
+        (one, "") | ("", one) => format!("Tested: {one}"),
+        (command, name) => format!("Tested: {command} ({name})"),
+    };
+    let version = env!("CARGO_PKG_VERSION");
+    let lead =
+        format!("Claimed: {}. {tested}, on {date}, with pendula {version}.", judged.claimed());
     let page = Page {
-        title: "An integrator, judged",
-        lead: &format!("Claimed: {claimed}. The program: {command}{named}."),
-        body: &[verdict(report), properties(report), drawings(report, claims)].concat(),
+        title: &title(judged),
+        lead: &lead,
+        body: &[verdict(report), properties(report), drawings(report, judged.claims)].concat(),
         style: include_str!("page.css"),
     };
     page.html()
+}
+
+/// The verdict, with the name of what was tested where it has one.
+fn title(judged: &Judged<'_>) -> String {
+    let Judged { name, report, .. } = *judged;
+    let failing: Vec<&str> = report.failures().map(Property::name).collect();
+    let verdict = match (report.verdict, &failing[..]) {
+        (Verdict::Holds, _) => "Every claim holds".to_string(),
+        (Verdict::Fails, [one]) => format!("A claim fails: {one}"),
+        (Verdict::Fails, _) => format!("Claims fail: {}", failing.join(", ")),
+        (Verdict::Unclaimed, _) => "Nothing is claimed".to_string(),
+        _ => "Not every claim could be decided".to_string(),
+    };
+    if name.is_empty() { verdict } else { format!("{verdict} · {name}") }
 }
 
 fn verdict(report: &Report) -> String {
@@ -30,7 +50,7 @@ fn verdict(report: &Report) -> String {
     let look_at: String = report
         .look_at()
         .iter()
-        .map(|line| format!("<li>What to look at: {}</li>\n", with_code(line)))
+        .map(|line| format!("<li>What to look at: {}</li>\n", set(line)))
         .collect();
     format!(
         r#"<section id="verdict" aria-labelledby="verdict-title">
@@ -42,12 +62,36 @@ fn verdict(report: &Report) -> String {
 </section>
 "#,
         escaped(&report.summary()),
-        with_code(&report.what_it_is())
+        set(&report.what_it_is())
     )
 }
 
+/// Text as HTML, with what is between backticks as code and powers raised: tol^(−1/q), tol^0.8.
+fn set(text: &str) -> String {
+    let mut parts = text.split('^');
+    let mut html = with_code(parts.next().unwrap_or_default());
+    for part in parts {
+        let bracketed = part.strip_prefix('(').and_then(|rest| rest.split_once(')'));
+        let (power, rest) = bracketed.unwrap_or_else(|| {
+            let is_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '−');
+            let end = part.find(|c| !is_number(c)).unwrap_or(part.len());
+            part.split_at(end)
+        });
+        html += &format!("<sup>{}</sup>{}", escaped(power), with_code(rest));
+    }
+    html
+}
+
+/// A table of all properties, with what fails first.
 fn properties(report: &Report) -> String {
-    let rows: String = report.findings.iter().map(row).collect();
+    const ORDER: [Verdict; 3] = [Verdict::Fails, Verdict::Unclear, Verdict::NotMeasured];
+    let place = |finding: &&Finding| {
+        let claimed = finding.claimed.is_some();
+        ORDER.iter().position(|verdict| claimed && *verdict == finding.verdict).unwrap_or(3)
+    };
+    let mut sorted: Vec<&Finding> = report.findings.iter().collect();
+    sorted.sort_by_key(place);
+    let rows: String = sorted.into_iter().map(row).collect();
     format!(
         r#"
 <section aria-labelledby="properties-title">
@@ -55,7 +99,7 @@ fn properties(report: &Report) -> String {
 <div class="table-wrapper" tabindex="0" role="region" aria-label="Property by property">
 <table class="properties">
 <thead><tr><th scope="col">Property</th><th scope="col">claimed</th><th scope="col">verdict</th>
-<th scope="col">measured, and what follows</th></tr></thead>
+<th scope="col">measured, and how</th></tr></thead>
 <tbody>
 {rows}</tbody></table></div>
 </section>
@@ -71,10 +115,11 @@ fn row(finding: &Finding) -> String {
         finding.verdict.name(),
     ]
     .map(escaped);
-    let [measured, why] = [finding.measured(), finding.why()].map(|text| with_code(&text));
+    let [measured, why] = [finding.measured(), finding.why()].map(|text| set(&text));
+    let why = if why.is_empty() { why } else { format!(r#"<p class="how">{why}</p>"#) };
     format!(
-        r#"<tr{class}><th scope="row">{name}</th><td>{claimed}</td><td>{verdict}</td>
-<td>{measured}<p class="how">{why}</p></td></tr>
+        r#"<tr{class}><th scope="row">{name}</th><td data-head="claimed">{claimed}</td>
+<td data-head="verdict">{verdict}</td><td>{measured}{why}</td></tr>
 "#
     )
 }
@@ -111,8 +156,13 @@ fn figures(report: &Report, claims: &Claims) -> Vec<String> {
 
 /// The figure with its chart, and its caption below it.
 fn drawn(id: &str, title: &str, caption: &str, chart: Chart) -> String {
-    let svg = Figure::new(title, caption).panel(chart).to_svg(id);
-    format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", escaped(caption))
+    framed(id, Figure::new(title, caption).panel(chart), caption)
+}
+
+/// A figure with its caption.
+fn framed(id: &str, figure: Figure, caption: &str) -> String {
+    let svg = figure.to_svg(id);
+    format!("<figure>\n{svg}<figcaption>{}</figcaption>\n</figure>\n", set(caption))
 }
 
 /// What was measured.
@@ -176,14 +226,34 @@ fn slopes(points: &[(f64, f64)]) -> Option<String> {
     (!slopes.is_empty()).then(|| slopes.join(", "))
 }
 
-/// Energy error against time.
+/// Stretches of a run into which its energy error is put together.
+const STRETCHES: usize = 240;
+/// Samples of the end that are drawn one by one.
+const END: usize = 400;
+
+/// Energy error against time: the largest and the smallest of each stretch, and the end enlarged.
+/// Each swing by itself would make a solid block of a long run.
 fn energy(energy: &[(f64, f64)]) -> Option<String> {
-    let caption = "Energy error over a long run, in units of m g L: bounded where it swings about \
-                   a constant, a drift where it does not.";
-    let chart = Chart::new(Axis::linear("t (s)"), Axis::linear("(H − H_{0})/(g/L)"))
+    let axes = || Chart::new(Axis::linear("t (s)"), Axis::linear("ΔH/(m g L)"));
+    let stretches = energy.chunks(energy.len().div_ceil(STRETCHES).max(1));
+    let of = |fold: fn(f64, f64) -> f64, from: f64| {
+        stretches.clone().map(move |stretch| {
+            let middle = stretch[stretch.len() / 2].0;
+            (middle, stretch.iter().map(|sample| sample.1).fold(from, fold))
+        })
+    };
+    let style = MEASURED.line_only().solid();
+    let whole = axes()
+        .heading("largest and smallest, stretch by stretch")
         .height(240.0)
-        .series("", MEASURED.line_only().solid(), energy.iter().copied());
-    (!energy.is_empty()).then(|| drawn("energy", "Energy error against time", caption, chart))
+        .series("", style, of(f64::max, f64::NEG_INFINITY))
+        .series("", style, of(f64::min, f64::INFINITY));
+    let end = energy[energy.len().saturating_sub(END)..].iter().copied();
+    let end = axes().heading("the end of the run").height(240.0).series("", style, end);
+    let caption = "Energy error over a long run, in units of m g L: bounded if the two lines stay \
+                   apart by as much, a drift if they leave.";
+    let figure = Figure::new("Energy error against time", caption).panel(whole).panel(end);
+    (!energy.is_empty()).then(|| framed("energy", figure, caption))
 }
 
 /// A square of states and its image after a step.
@@ -309,6 +379,9 @@ fn plane() -> Chart {
 
 #[cfg(test)]
 mod tests {
+    use pendula::methods::ForwardEuler;
+    use pendula_judge::judge;
+
     use super::*;
 
     fn state(theta: f64, omega: f64) -> Phase {
@@ -340,6 +413,34 @@ mod tests {
         has(force, "id=\"fig-force\"");
         has(square, "becomes 1.500000000 times as large");
         has(way, "ends 0 rad and 1.0 × 10⁻³ rad/s");
+    }
+
+    /// Catches: reports that all have one title; a name left out, or a bracket around none; the
+    /// first of several failures alone.
+    #[test]
+    fn the_title_is_the_verdict() {
+        let report = judge(&ForwardEuler, Claims::order(2).symplectic());
+        let claims = Claims::order(2).symplectic();
+        let mut judged = Judged { command: "./euler", name: "", claims: &claims, report: &report };
+        assert_eq!(title(&judged), "Claims fail: order, area, stage-times");
+        let html = html(&judged, "2026-01-02");
+        assert!(html.contains("Tested: ./euler, on 2026-01-02, with pendula "), "{html}");
+        (judged.command, judged.name) = ("", "euler");
+        assert_eq!(title(&judged), "Claims fail: order, area, stage-times · euler");
+        let report = judge(&ForwardEuler, Claims::order(1));
+        judged.report = &report;
+        assert_eq!(title(&judged), "Every claim holds · euler");
+        // What fails comes first, wherever it was measured.
+        let failing = html.find(r#"scope="row">stage-times"#);
+        assert!(failing < html.find(r#"scope="row">equation"#), "{html}");
+    }
+
+    /// Catches: a power left as it is typed, or one that takes the text after it along.
+    #[test]
+    fn powers_are_raised() {
+        let html =
+            "grows as tol<sup>−1/q</sup> with q = 2; tol<sup>0.8</sup> ± 0.1 &lt; <code>x</code>";
+        assert_eq!(set("grows as tol^(−1/q) with q = 2; tol^0.8 ± 0.1 < `x`"), html);
     }
 
     /// Catches: a panic where the evidence is a single point or none that has a place.

@@ -105,7 +105,7 @@ fn it_is_judged_as_a_program_is(#[case] method: &str, #[case] claims: &str, #[ca
     assert_eq!((told.status, told.errors.as_str()), (status, ""));
     let report: Value = serde_json::from_str(&told.report).unwrap();
     assert_valid(&report);
-    assert_eq!(report["program"]["command"], "standard input");
+    assert_eq!(report["program"]["command"], "");
     let (expected_status, expected) = judged(&options, &[PENDULA, "serve", method]);
     assert_eq!(status, expected_status);
     // What was measured in how much time may differ.
