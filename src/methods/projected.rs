@@ -1,6 +1,9 @@
 //! Projection onto the energy of the start.
 
+use core::borrow::Borrow;
+
 use crate::integrate::Method;
+use crate::methods::{Info, MethodInfo, Rk4};
 use crate::systems::{Hamiltonian, Pendulum, Phase, Separable};
 
 /// A method whose every step is followed by a projection onto the energy of the start: one step of
@@ -10,7 +13,7 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, Separable};
 /// of order p misses the energy by O(hᵖ⁺¹), and the projection by the square of that. The order
 /// stays that of the method; the energy no longer drifts, but the motion along the curve is the
 /// method's own, and not symplectic. Each step takes one more evaluation of the force, for the
-/// gradient. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Algorithm IV.4.2.
+/// gradient, and one of the energy, which isn't counted. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Algorithm IV.4.2.
 ///
 /// ```
 /// use pendula::methods::Projected;
@@ -27,19 +30,35 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, Separable};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Projected<M>(pub M);
 
+impl Info for Projected<Rk4> {
+    fn info(&self) -> MethodInfo {
+        let rk4 = self.0.info();
+        MethodInfo::new("rk4-projected", rk4.order)
+            .title("RK4, projected")
+            .force_evaluations(rk4.force_evaluations + 1)
+            .reference("Hairer, Lubich, Wanner (2006), Algorithm IV.4.2")
+    }
+}
+
 // ANCHOR: step
-impl<M: Method<Pendulum, Carry = ()>> Method<Pendulum> for Projected<M> {
+impl<S, M> Method<S> for Projected<M>
+where
+    S: Separable<State = Phase, Force = f64> + Borrow<Pendulum>,
+    M: Method<S, Carry = ()>,
+{
     /// The energy at the start (J).
     type Carry = f64;
 
-    fn start(&self, pendulum: &Pendulum, _t: f64, _h: f64, z: Phase) -> f64 {
+    fn start(&self, system: &S, _t: f64, _h: f64, z: Phase) -> f64 {
+        let pendulum: &Pendulum = system.borrow();
         pendulum.energy(z)
     }
 
-    fn step(&self, pendulum: &Pendulum, t: f64, h: f64, z: Phase, start: &mut f64) -> Phase {
-        let z = self.0.step(pendulum, t, h, z, &mut ());
+    fn step(&self, system: &S, t: f64, h: f64, z: Phase, start: &mut f64) -> Phase {
+        let pendulum: &Pendulum = system.borrow();
+        let z = self.0.step(system, t, h, z, &mut ());
         let frequency = pendulum.small_angle_frequency();
-        let (sine, u) = (-pendulum.force(t, z) / pendulum.frequency_squared(), z.omega / frequency);
+        let (sine, u) = (-system.force(t, z) / pendulum.frequency_squared(), z.omega / frequency);
         let gained = (pendulum.energy(z) - *start) / pendulum.depth();
         // At the bottom, at rest, there is no gradient, and nothing to be gained.
         let part = if gained == 0.0 { 0.0 } else { gained / (sine * sine + u * u) };

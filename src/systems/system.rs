@@ -1,5 +1,6 @@
 //! The traits of a system, and a wrapper that counts its force evaluations.
 
+use core::borrow::Borrow;
 use core::cell::Cell;
 
 use crate::systems::State;
@@ -105,6 +106,13 @@ impl<S> Counting<S> {
 
     /// The system itself, whose evaluations are not counted.
     pub const fn system(&self) -> &S {
+        &self.system
+    }
+}
+
+/// The system itself: its parameters, and what is computed of it without being counted.
+impl<S> Borrow<S> for Counting<S> {
+    fn borrow(&self) -> &S {
         &self.system
     }
 }

@@ -4,6 +4,7 @@ use core::num::NonZeroU64;
 use std::sync::OnceLock;
 
 use pendula::exact::Motion;
+use pendula::methods::{Projected, Rk4};
 use pendula::{METHODS, Pendulum, Phase};
 
 use super::{Curve, MethodRef, Release, SWINGS, THETA_0};
@@ -103,22 +104,30 @@ pub struct Rung {
     pub seen: Vec<f64>,
 }
 
-/// The law of every method of the library on a swing, each measured when it is first asked for.
+/// RK4 with each step put back onto the energy of the start. It isn't on the library's list, because
+/// it has to know the energy, and on the pendulum alone it does.
+pub const PROJECTED: MethodRef = &Projected(Rk4);
+
+const RANKED: usize = METHODS.len() + 1;
+
+/// The methods that the maps rank: those of the library, and the [`PROJECTED`] one.
+pub fn ranked() -> impl Iterator<Item = MethodRef> {
+    METHODS.iter().copied().chain([PROJECTED])
+}
+
+/// The law of every ranked method on a swing, each measured when it is first asked for.
 pub fn profiles(theta_0: f64) -> impl Iterator<Item = &'static Profile> {
-    (0..METHODS.len()).map(move |index| profile(theta_0, index))
+    ranked().map(move |method| profile_of(method, theta_0))
 }
 
-/// The law of a method of the library on one of [`SWINGS`].
+/// The law of a ranked method on one of [`SWINGS`].
 pub fn profile_of(method: MethodRef, theta_0: f64) -> &'static Profile {
-    let is_it = |other: &MethodRef| other.info().name == method.info().name;
-    profile(theta_0, METHODS.iter().position(is_it).expect("one of the library's methods"))
-}
-
-fn profile(theta_0: f64, index: usize) -> &'static Profile {
-    static PROFILES: [[OnceLock<Profile>; METHODS.len()]; SWINGS.len()] =
-        [const { [const { OnceLock::new() }; METHODS.len()] }; SWINGS.len()];
-    let swing = super::swing(theta_0);
-    PROFILES[swing][index].get_or_init(|| Profile::measure(METHODS[index], swing))
+    static PROFILES: [[OnceLock<Profile>; RANKED]; SWINGS.len()] =
+        [const { [const { OnceLock::new() }; RANKED] }; SWINGS.len()];
+    let is_it = |other: MethodRef| other.info().name == method.info().name;
+    let (swing, index) = (super::swing(theta_0), ranked().position(is_it));
+    let profile = &PROFILES[swing][index.expect("a ranked method")];
+    profile.get_or_init(|| Profile::measure(method, swing))
 }
 
 /// For each rung of a swing the exact motion until its phases repeat: of coarse ones over

@@ -44,7 +44,7 @@ mod error_law;
 
 use std::sync::OnceLock;
 
-pub use error_law::{LONGEST, Profile, Rung, profile_of, profiles};
+pub use error_law::{LONGEST, PROJECTED, Profile, Rung, profile_of, profiles, ranked};
 use pendula::exact::{Motion, period};
 use pendula::{Grid, Pendulum, Phase};
 
