@@ -13,7 +13,8 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, Separable};
 /// of order p misses the energy by O(hᵖ⁺¹), and the projection by the square of that. The order
 /// stays that of the method; the energy no longer drifts, but the motion along the curve is the
 /// method's own, and not symplectic. Each step takes one more evaluation of the force, for the
-/// gradient, and one of the energy, which isn't counted. Hairer, Lubich, Wanner, *Geometric Numerical Integration*, Algorithm IV.4.2.
+/// gradient, and one of the energy, which isn't counted. Hairer, Lubich, Wanner, *Geometric
+/// Numerical Integration*, Algorithm IV.4.2.
 ///
 /// ```
 /// use pendula::methods::Projected;

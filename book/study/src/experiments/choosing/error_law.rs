@@ -104,8 +104,8 @@ pub struct Rung {
     pub seen: Vec<f64>,
 }
 
-/// RK4 with each step put back onto the energy of the start. It isn't on the library's list, because
-/// it has to know the energy, and on the pendulum alone it does.
+/// RK4 with each step put back onto the energy of the start. It isn't on the library's list,
+/// because it has to know the energy, and on the pendulum alone it does.
 pub const PROJECTED: MethodRef = &Projected(Rk4);
 
 const RANKED: usize = METHODS.len() + 1;
