@@ -20,6 +20,24 @@ fn failing(report: &Report) -> Vec<&'static str> {
     report.failures().map(Property::name).collect()
 }
 
+/// The wrong solvers whose answers are also recorded, and judged by their record, which takes twice
+/// as long: among them each property fails once. The first two have nothing wrong.
+const RECORDED: [&str; 13] = [
+    "nothing wrong, order 5",
+    "nothing wrong, order 8",
+    "a stage mistyped",
+    "outputs by a straight line",
+    "outputs one row late",
+    "time in single precision",
+    "states in single precision",
+    "a smallest step",
+    "an error with a sign",
+    "never backwards",
+    "the angle of the start wrapped",
+    "a step kept from the last request",
+    "a time that never comes is the start",
+];
+
 /// What is said of each wrong solver, to the word, and at the end the fewest properties that would
 /// do: `solvers.txt`. The first two have nothing wrong.
 ///
@@ -29,16 +47,23 @@ fn failing(report: &Report) -> Vec<&'static str> {
 #[test]
 fn each_wrong_solver_is_caught() {
     let judged = |wrong: &WrongSolver| {
-        let recording = Recording::of(&*wrong.solver);
-        let report = judge_solver(&recording, wrong.claims.parse().unwrap());
-        let again = recorded(&recording.lines(), wrong.claims);
+        let claims: Claims = wrong.claims.parse().unwrap();
+        let is_recorded = RECORDED.contains(&wrong.name);
+        let report = if is_recorded {
+            let recording = Recording::of(&*wrong.solver);
+            let report = judge_solver(&recording, claims);
+            let again = recorded(&recording.lines(), wrong.claims);
+            assert!(failures_but_many(&report).eq(failures_but_many(&again)), "{report}\n{again}");
+            report
+        } else {
+            judge_solver(&*wrong.solver, claims)
+        };
         let failing = failing(&report);
-        assert!(failures_but_many(&report).eq(failures_but_many(&again)), "{report}\n{again}");
         assert_eq!(failing.is_empty(), wrong.name.starts_with("nothing wrong"), "{report}");
         let name = format!("{}: {}", wrong.name, failing.join(", "));
         let look_at = report.look_at();
         let causes = look_at.iter().map(|line| format!("    {line}"));
-        ([name].into_iter().chain(causes).collect::<Vec<_>>(), failing)
+        ([name].into_iter().chain(causes).collect::<Vec<_>>(), failing, is_recorded)
     };
     // Side by side: each thread makes all of them, and judges every fourth.
     const THREADS: usize = 4;
@@ -50,7 +75,14 @@ fn each_wrong_solver_is_caught() {
         let threads: Vec<_> = (0..THREADS).map(|first| scope.spawn(move || part(first))).collect();
         threads.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
     });
-    let (said, mut caught): (Vec<_>, Vec<_>) = all.into_values().unzip();
+    let count = all.values().filter(|(_, _, is_recorded)| *is_recorded).count();
+    assert_eq!(count, RECORDED.len(), "a name in RECORDED that no solver has");
+    for name in all.values().flat_map(|(_, failing, _)| failing) {
+        let is_covered = |(_, failing, is): &(_, Vec<_>, bool)| *is && failing.contains(name);
+        assert!(all.values().any(is_covered), "{name}: put a solver that fails it into RECORDED");
+    }
+    let (said, mut caught): (Vec<_>, Vec<_>) =
+        all.into_values().map(|(said, failing, _)| (said, failing)).unzip();
     let mut said = said.concat();
     caught.retain(|failing| !failing.is_empty());
     said.push(format!("\nThese alone catch all: {}\n", fewest(&caught).join(", ")));
