@@ -23,7 +23,7 @@ use rstest::rstest;
 use crate::STUDY;
 
 /// A figure of the book, drawn once for all tests.
-fn drawn(name: &str) -> &'static Figure {
+pub fn drawn(name: &str) -> &'static Figure {
     static DRAWN: LazyLock<Vec<OnceLock<Figure>>> =
         LazyLock::new(|| figures().map(|_| OnceLock::new()).collect());
     let (index, drawing) =

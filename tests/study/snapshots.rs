@@ -8,14 +8,16 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use insta::internals::Content;
-use pendula_study::report::snapshots::{Kind, RECORDED, Snapshot, snapshots};
+use pendula_study::report::snapshots::{Kind, RECORDED, Snapshot, snapshots_with};
 use pendula_study::report::table::Table;
 use rstest::rstest;
 
+use crate::figures::drawn;
 use crate::{LEDGER, STUDY, at_root};
 
-static SNAPSHOTS: LazyLock<Vec<Snapshot<'static>>> = LazyLock::new(|| {
-    let mut all = snapshots(&STUDY, &LEDGER);
+/// Each made once for all tests.
+pub static SNAPSHOTS: LazyLock<Vec<Snapshot<'static>>> = LazyLock::new(|| {
+    let mut all = snapshots_with(&STUDY, &LEDGER, |drawing| drawing.html_of(drawn(drawing.name)));
     let about = "Hashes of all that the library computes, the same on every processor";
     all.push(Snapshot::new("bits", Kind::Hashes, about, bits));
     all.sort_by_key(|snapshot| snapshot.kind);

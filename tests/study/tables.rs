@@ -1,10 +1,10 @@
 //! Tables as data, as the book sets them, and as text.
 
-use pendula_study::report::snapshots::{Kind, snapshots};
+use pendula_study::report::snapshots::Kind;
 use pendula_study::report::table::{Cell, Column, Quantity, Table};
 use rstest::rstest;
 
-use crate::{LEDGER, STUDY};
+use crate::snapshots::SNAPSHOTS;
 
 fn table() -> Table {
     let order = Column::from("order").is(Quantity::Order).of("T2.*.order");
@@ -38,8 +38,7 @@ fn text_stands_in_columns() {
 fn each_table_of_a_snapshot_is_read_back() {
     let mut made = vec![table().to_data()];
     made[0] += "| x  | \\|H\\| | 1 | 2 | 3 |\n";
-    let all = snapshots(&STUDY, &LEDGER);
-    let tables = all.iter().filter(|snapshot| snapshot.kind == Kind::Table);
+    let tables = SNAPSHOTS.iter().filter(|snapshot| snapshot.kind == Kind::Table);
     made.extend(tables.map(|snapshot| snapshot.content().to_string()));
     assert!(made.len() > 15);
     for (index, text) in made.iter().enumerate() {

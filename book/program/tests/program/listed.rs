@@ -203,16 +203,19 @@ fn every_claim_is_printed_with_what_was_measured(
 fn a_contradicted_claim_ends_with_status_1(
     #[values(TableFormat::Text, TableFormat::Json, TableFormat::Csv)] format: TableFormat,
 ) {
-    let mut forged = STUDY.clone();
-    forged.convergence[0].drift[0] *= 1.01;
-    let report = |study: &Study| {
+    static FORGED: LazyLock<Ledger> = LazyLock::new(|| {
+        let mut study = STUDY.clone();
+        study.convergence[0].drift[0] *= 1.01;
+        Ledger::new(&study)
+    });
+    let report = |ledger: &Ledger| {
         let mut out = Vec::new();
-        let outcome = report(&Ledger::new(study), &Filter::default(), format, &mut out);
+        let outcome = report(ledger, &Filter::default(), format, &mut out);
         (outcome, String::from_utf8(out).unwrap())
     };
-    let (outcome, honest) = report(&STUDY);
+    let (outcome, honest) = report(&LEDGER);
     assert!(outcome.is_ok());
-    let (outcome, forged) = report(&forged);
+    let (outcome, forged) = report(&FORGED);
     let failure = outcome.unwrap_err();
     assert!(matches!(failure, Failure::No), "{failure:?}");
     assert_eq!(format!("{:?}", failure.exit_code()), format!("{:?}", ExitCode::FAILURE));

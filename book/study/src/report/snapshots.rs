@@ -6,7 +6,7 @@ use std::thread;
 use pendula::methods::PositionVerlet;
 use pendula::registry::InSteps;
 
-use super::figures::figures;
+use super::figures::{Drawing, figures};
 use super::table::Table;
 use super::tables;
 use crate::claims::Ledger;
@@ -106,6 +106,16 @@ fn table<'a>(name: &str, about: &str, table: impl FnOnce() -> Table + Send + 'a)
 
 /// All that are computed, in the order in which they are best reviewed.
 pub fn snapshots<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Snapshot<'a>> {
+    snapshots_with(study, ledger, |drawing| drawing.html(study))
+}
+
+/// The same, with the HTML of each figure by a function: for who has drawn them for something else
+/// too.
+pub fn snapshots_with<'a>(
+    study: &'a Study,
+    ledger: &'a Ledger,
+    html: impl Fn(&Drawing) -> String + Copy + Send + 'a,
+) -> Vec<Snapshot<'a>> {
     let of_the_paper = tables::TABLES.map(|number| {
         let of = move || tables::table(ledger, number).expect("a table of the paper");
         let about = format!("The paper's Table {number}, stated and measured");
@@ -153,7 +163,7 @@ pub fn snapshots<'a>(study: &'a Study, ledger: &'a Ledger) -> Vec<Snapshot<'a>> 
     let about = "Wrong methods, and the properties that catch them";
     snapshots.push(table("zoo", about, tables::zoo));
     snapshots.extend(figures().map(|drawing| {
-        Snapshot::new(drawing.name, Kind::Figure, drawing.title(), || drawing.html(study))
+        Snapshot::new(drawing.name, Kind::Figure, drawing.title(), move || html(drawing))
     }));
     let about = "An example of a difference, for the appendix on changing a method";
     snapshots.push(Snapshot::new("a_change", Kind::Example, about, || a_change(study)));

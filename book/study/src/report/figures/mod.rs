@@ -65,7 +65,12 @@ impl Drawing {
 
     /// The figure with its caption, as a `<figure>` element without a blank line.
     pub fn html(&self, study: &Study) -> String {
-        captioned(&self.svg(study), &self.words().caption)
+        self.html_of(&self.figure(study))
+    }
+
+    /// The same of its figure, which was drawn before.
+    pub fn html_of(&self, figure: &Figure) -> String {
+        captioned(&figure.to_svg(self.name), &self.words().caption)
     }
 }
 
