@@ -33,10 +33,12 @@ fn assert_text(name: &str, text: &str) {
 
 mod any_claims;
 mod discrimination;
+mod equal_steps;
 mod equations;
 mod garbage;
 mod judged;
 mod looks;
 mod metrics;
+mod programs;
 mod solvers;
 mod strangers;

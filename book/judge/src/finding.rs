@@ -114,6 +114,8 @@ pub enum Measurement {
         /// Whether the error of the coarsest steps is rounding already.
         rounding: bool,
     },
+    /// Whether it is the same beyond the usual states and steps.
+    Beyond(Beyond),
     /// In words, with the reason.
     Said {
         /// What was measured.
@@ -152,6 +154,10 @@ pub enum Slopes {
     Settled(f64),
     /// The last one lies between orders.
     Between(f64),
+    /// The last two are more than an order too low; this is the last.
+    Low(f64),
+    /// They are unclear, and the method that it is has this order.
+    OfMethod(u32),
     /// Beyond order 8, the slope over the finest steps with its uncertainty.
     Long {
         /// The order that is claimed.
@@ -160,6 +166,42 @@ pub enum Slopes {
         slope: f64,
         /// How far off it may be.
         window: f64,
+    },
+}
+
+/// How it is beyond the usual states and steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Beyond {
+    /// The same, as far as it was measured.
+    Same {
+        /// In a fast rotation.
+        fast: bool,
+        /// In a small swing.
+        small: bool,
+        /// In long steps.
+        long: bool,
+    },
+    /// The error of a step falls with a lower power of it in a fast rotation.
+    Fast {
+        /// The velocity, in ω₀.
+        velocity: f64,
+        /// The power there.
+        power: f64,
+        /// The power elsewhere.
+        usual: f64,
+    },
+    /// A small swing is not a larger one in proportion.
+    Small {
+        /// Its amplitude (rad).
+        amplitude: f64,
+        /// The amplitude of the larger one (rad).
+        larger: f64,
+    },
+    /// Long steps are not those of the method.
+    Long {
+        /// x = ω₀h.
+        x: f64,
     },
 }
 
@@ -227,6 +269,8 @@ impl Measurement {
                 Slopes::NoFall => "error-stays",
                 Slopes::Settled(_) => "other-order",
                 Slopes::Between(_) => "between-orders",
+                Slopes::Low(_) => "low-slopes",
+                Slopes::OfMethod(_) => "order-of-method",
                 Slopes::Long { .. } => "long-steps",
             },
             Self::Area { .. } => "determinant",
@@ -253,6 +297,12 @@ impl Measurement {
             Self::NoKnownMethod => "no-known-method",
             Self::Mistake(_) => "mistake",
             Self::DrivenSlopes { .. } => "driven-slopes",
+            Self::Beyond(beyond) => match beyond {
+                Beyond::Same { .. } => "the-same",
+                Beyond::Fast { .. } => "other-when-fast",
+                Beyond::Small { .. } => "other-when-small",
+                Beyond::Long { .. } => "other-in-long-steps",
+            },
             Self::Said { .. } => "said",
         }
     }

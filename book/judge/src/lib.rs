@@ -87,7 +87,7 @@ mod words;
 #[cfg(feature = "zoo")]
 pub mod zoo;
 
-pub use finding::{EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
+pub use finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 pub use judge::{
     Added, Advice, But, Cause, ClaimError, Claims, Departure, Description, Deviation, Equation,
     Evidence, Identity, Kind, Nearest, Of, Place, Range, Report, Resemblance, Seen, Trouble,

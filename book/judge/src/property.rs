@@ -61,6 +61,8 @@ properties! {
     Name "name";
     /// Whether the stages ask for a drive at their own times.
     StageTimes "stage-times";
+    /// Whether it is the same in fast rotations, small swings and long steps.
+    Range "range";
     /// Of a solver: whether the error falls with the tolerance.
     Tolerance "tolerance";
     /// Of a solver: the power of the step with which the error estimate falls.

@@ -314,6 +314,7 @@ const EVERYTHING: &[Property] = &[
     Property::Loss,
     Property::Name,
     Property::StageTimes,
+    Property::Range,
 ];
 
 /// A method that is known, whose own entry is other than what is claimed.

@@ -113,6 +113,11 @@ impl Answers {
         Self { tolerance: 100.0 * tolerance / 200.0, ..self }
     }
 
+    /// And with what it makes of a long step (rad).
+    pub fn and_in_a_step(self, tolerance: f64) -> Self {
+        Self { tolerance: self.tolerance + 10.0 * tolerance, ..self }
+    }
+
     /// The largest distance of the answers of `known` that `asked` picks; `None` if it is more than
     /// `most` tolerances, or if none of them is had.
     fn off(&self, known: &Known, most: f64, asked: impl Fn(&Scene) -> bool) -> Option<Off> {
@@ -150,11 +155,21 @@ impl Answers {
     /// The method that it is: it agrees with that to its own rounding, and every other entry lies
     /// ten times as far off. Entries that are one map where there is no drive are told apart by
     /// driven scenes, or else by the name that is claimed.
+    ///
+    /// A program that takes no steps back is compared with the steps ahead.
     pub fn method(&self, claims: &Claims) -> Name {
+        match self.method_by(claims, |_| true) {
+            Name::None => self.method_by(claims, |scene| scene.step > 0.0),
+            name => name,
+        }
+    }
+
+    fn method_by(&self, claims: &Claims, asked: impl Fn(&Scene) -> bool) -> Name {
         let claimed = claims.method().map(|known| known.name.as_str());
         let all = known_answers::methods().iter().filter_map(|known| {
             // Whatever its tolerance is, another entry can be as near as one that fits.
-            let off = self.off(known, f64::INFINITY, |scene| scene.drive.is_none())?;
+            let plain = |scene: &Scene| scene.drive.is_none() && asked(scene);
+            let off = self.off(known, f64::INFINITY, plain)?;
             let driven = self.off(known, 1.0, |scene| scene.drive.is_some()).is_some();
             let found = Match { known, roundings: off.roundings, apart: off.apart, driven };
             Some((found, off.tolerances <= 1.0))

@@ -1,7 +1,7 @@
 //! Area in phase space: the determinant of a step, by a ruler whose own error is measured.
 
 use super::probe::{Probe, frequency, step};
-use super::verdict::{Measured, Trouble, Verdict};
+use super::verdict::{Measured, Trouble, Verdict, told};
 use crate::finding::{Finding, Measurement};
 use crate::properties;
 use crate::stranger::Request;
@@ -86,18 +86,26 @@ pub fn gain(probe: &Probe<'_>, steps: u64) -> Measured<(f64, f64)> {
     // n x δ²/16, and the differences see its square. About the bottom the ends are as small as the
     // ruler, and round accordingly.
     let delta = 1e-4;
-    let rounding = probe.rounding * libm::sqrt(n) * delta;
+    // But where the angle inside is another one: by a random walk, from what a few steps show.
+    let few = steps.min(200);
+    let beside = told(probe.rounding_at_rest(0.02, few))?.unwrap_or_default();
+    let rounding = libm::sqrt(n) * (probe.rounding * delta).max(beside / libm::sqrt(few as f64));
     let run = Request::run(Phase::default(), step(0.02), steps);
     let defect = defect(probe, run, delta, rounding)?;
     Ok((libm::log1p(defect.value) / n, defect.ruler / n))
 }
 
+/// A change of the area that is more than this is none that a ruler of three digits, as one of half
+/// precision is, would show.
+const SHOWN: f64 = 0.03;
+
 /// What is to be said of a claim that a step keeps area.
 pub fn judge(&Defect { value, ruler, x }: &Defect) -> Finding {
-    let verdict = Verdict::of(value.abs(), 10.0 * ruler, 100.0 * ruler);
+    // Where the map has a corner the ruler is right to nothing, and shows nothing.
+    let verdict = Verdict::of(value.abs(), (10.0 * ruler).min(SHOWN), 100.0 * ruler);
     Finding {
         measurement: Measurement::Area { x, ruler },
-        ..Finding::number(value, "", 10.0 * ruler, verdict)
+        ..Finding::number(value, "", (10.0 * ruler).min(SHOWN), verdict)
     }
 }
 

@@ -7,7 +7,6 @@ use super::answers::{Match, Name};
 use super::claims::Claims;
 use super::equation::{Equation, Solver};
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
-use super::replies::DOUBLE;
 use super::report::about;
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement};
@@ -191,9 +190,10 @@ impl Asked {
         // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad,
         // and neighbours that part by a factor of ten at most.
         let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
-        // And what a tolerance inside the stranger may add.
+        // And what a tolerance inside the stranger may add; the long steps are as long as these.
         let tolerance = probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0);
-        Ok(Self { runs, bound: rounding + 100.0 * tolerance })
+        let in_long_steps = 10.0 * COUNT as f64 * probe.in_long_steps();
+        Ok(Self { runs, bound: rounding + 100.0 * tolerance + in_long_steps })
     }
 
     /// What rounding, and a tolerance inside it, may make of its states (rad).
@@ -230,15 +230,10 @@ impl Asked {
 /// A method of the library that a stranger may be, seen from elsewhere or by its angles alone.
 type Candidate = (&'static dyn AnyMethod, Seen, f64);
 
-/// The known method that the stranger is, seen directly; else that of the library, seen from half a
-/// kick or drift away or by its angles alone, and of several that of the order `shown`.
-/// Behind a `changed` output it may be seen directly, too, to what the change rounds.
-pub fn identify(
-    probe: &Probe<'_>,
-    name: &Name,
-    shown: Option<u32>,
-    changed: bool,
-) -> Measured<Option<Identity>> {
+/// The known method that the stranger is; else that of the library: seen directly, to what its
+/// digits, or a tolerance inside it, allow, from half a kick or drift away, or by its angles alone;
+/// and of several that of the order `shown`.
+pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<Option<Identity>> {
     match name {
         Name::One(found) => return Ok(Some(Identity::from(*found))),
         // What agrees with several methods is not looked at from elsewhere.
@@ -250,10 +245,7 @@ pub fn identify(
     let (first, then): (Vec<_>, Vec<_>) = METHODS.iter().copied().partition(of_its_order);
     let methods: Vec<&'static dyn AnyMethod> = first.into_iter().chain(then).collect();
     for angles_only in [false, true] {
-        // Where the digits of double precision are cut off it may be seen directly, too.
-        let directly = (changed || probe.rounding > DOUBLE) && !angles_only;
-        let found = from_elsewhere(&asked, &methods, angles_only, directly);
-        let Some((method, seen, apart)) = found else { continue };
+        let Some((method, seen, apart)) = seen(&asked, &methods, angles_only) else { continue };
         let MethodInfo { name, title, .. } = method.info();
         let identity = Identity { method: name, title, seen, angles_only, on: None, apart };
         return Ok(Some(identity));
@@ -261,21 +253,14 @@ pub fn identify(
     Ok(None)
 }
 
-/// The first of `methods` whose states, seen from elsewhere, are the stranger's; none if another
-/// one's lie within ten times that.
-fn from_elsewhere(
-    asked: &Asked,
-    methods: &[&'static dyn AnyMethod],
-    angles_only: bool,
-    directly: bool,
-) -> Option<Candidate> {
+/// The first of `methods` whose states, as they are or seen from elsewhere, are the stranger's; none
+/// if another one's lie within ten times that. What is one map with a method as it is, is that
+/// method, unless that is excluded by more than rounding.
+fn seen(asked: &Asked, methods: &[&'static dyn AnyMethod], angles_only: bool) -> Option<Candidate> {
     let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();
     let apart = if angles_only { angle } else { distance };
     // The angles do not show a kick at the end, and a drift is no other method's angle.
-    let seen_from = |seen: &Seen| match angles_only {
-        true => seen.drifts == 0.0,
-        false => directly || *seen != Seen::DIRECTLY,
-    };
+    let seen_from = |seen: &Seen| !angles_only || seen.drifts == 0.0;
     let mut near: Vec<Candidate> = Vec::new();
     for seen in Seen::ALL.into_iter().filter(seen_from) {
         for method in methods {
@@ -297,7 +282,9 @@ fn from_elsewhere(
             off.fold(0.0, f64::max) <= SAME
         })
     };
-    near.iter().filter(|(.., off)| *off <= room).all(same).then_some(first)
+    let alone = near.iter().filter(|(.., off)| *off <= room).all(same);
+    let plain = near.iter().find(|it| it.1 == Seen::DIRECTLY && same(it));
+    alone.then_some(*plain.unwrap_or(&first))
 }
 
 /// By how much the states of one map, computed in two ways in double precision, may differ in eight

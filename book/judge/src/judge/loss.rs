@@ -28,9 +28,10 @@ const X: f64 = 0.05;
 const START: Phase = Phase { theta: 1.2, omega: 0.8 };
 
 /// What rounding may make of the energy in `steps` steps, a step: a random walk, the largest of
-/// some thousand.
+/// some thousand; and in each step the same, where a coefficient of the method is a rounded number,
+/// as cos ω₀h and sin ω₀h are, whose squares add up to 1 but for a rounding.
 fn bound(probe: &Probe<'_>, steps: u64) -> f64 {
-    10.0 * probe.rounding / libm::sqrt(steps as f64)
+    probe.rounding * (10.0 / libm::sqrt(steps as f64)).max(1.0)
 }
 
 /// Of a symmetric method: out, and home with the velocity reversed. What a formula of the method

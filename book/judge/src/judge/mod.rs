@@ -11,6 +11,7 @@ pub(crate) mod identity;
 mod loss;
 pub(crate) mod order;
 pub(crate) mod probe;
+mod range;
 mod replies;
 pub(crate) mod report;
 pub(crate) mod resemblance;
@@ -114,16 +115,18 @@ fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s
             .as_ref()
             .is_ok_and(|found| found.as_ref().is_some_and(|(looked, _)| looked.departure.is_some()))
     };
-    let measured = || -> Measured<(f64, Answers)> {
+    let measured = || -> Measured<(f64, f64, Answers)> {
         let tolerance = symmetry::tolerance(&probe)?;
-        Ok((tolerance, Answers::of(&probe)?.with_tolerance(tolerance)))
+        let in_long_steps = symmetry::in_long_steps(&probe)?;
+        let answers = Answers::of(&probe)?.with_tolerance(tolerance);
+        Ok((tolerance, in_long_steps, answers.and_in_a_step(in_long_steps)))
     };
-    let (tolerance, answers) = match measured() {
+    let (tolerance, in_long_steps, answers) = match measured() {
         // What breaks off is broken again where the properties are measured.
-        Err(_) if departs(&looked) => (0.0, Answers::none()),
+        Err(_) if departs(&looked) => (0.0, 0.0, Answers::none()),
         measured => measured?,
     };
-    let probe = probe.with_tolerance(tolerance);
+    let probe = probe.with_tolerance(tolerance).with_long_steps(in_long_steps);
     Ok((Ready { probe, answers, cut_off }, looked))
 }
 
@@ -207,6 +210,34 @@ impl Judge<'_> {
         self.stage_times(order)?;
         self.report.evidence.square = area::square(&self.probe).ok();
         self.report.evidence.way = reversal::drawn(&self.probe).ok();
+        self.range(shown.order)
+    }
+
+    /// Beyond the usual states and steps, last of all: a program may break off there.
+    fn range(&mut self, shown: Option<u32>) -> Measured<()> {
+        let departs = self.report.departure.as_ref();
+        let order = self.report.finding(Property::Order).map(|found| found.verdict);
+        let range = match departs.filter(|found| found.place() == Place::Equation) {
+            Some(_) => Err(Trouble::NoAnswer("the equation is another one".to_string())),
+            None => {
+                // What is cut out of the states, as turns are, is not found again in long steps.
+                let itself = |known: &&Identity| known.is_plain() && departs.is_none();
+                let plain = self.report.identity.as_ref().filter(itself);
+                let order = match (shown, order) {
+                    (Some(order), _) => Some(f64::from(order)),
+                    // Slopes that show no order and fail its claim have no power to fall with.
+                    (None, Some(Verdict::Fails)) => None,
+                    (None, _) => Some(f64::INFINITY),
+                };
+                range::measure(&self.probe, order, plain.map(|known| known.method))
+            }
+        };
+        // A program need not answer what lies beyond.
+        let claimed = match range {
+            Err(Trouble::NoAnswer(_)) => None,
+            _ => self.claims.implied(),
+        };
+        self.note(Property::Range, claimed, range, range::Range::judge)?;
         Ok(())
     }
 
@@ -293,8 +324,9 @@ impl Judge<'_> {
         let claimed = self.claims.order;
         let ladder = order::ladder(&self.probe, claimed.unwrap_or(4));
         let text = claimed.map(|order| order.to_string());
+        let known = self.name.one().map(|found| found.known.order);
         let (ladder, _) =
-            self.note(Property::Order, text, ladder, |ladder| order::judge(ladder, claimed))?;
+            self.note(Property::Order, text, ladder, |it| order::judge(it, claimed, known))?;
         let Some(ladder) = ladder else { return Ok(None) };
         let shown = order::shown(&ladder);
         self.report.evidence.ladder = ladder.rungs;
@@ -375,15 +407,13 @@ impl Judge<'_> {
 
     /// The method that it is, on the equation that it solves.
     fn identified(&self, shown: Option<u32>) -> Measured<Option<Identity>> {
-        let output = self.report.departure.as_ref().map(Departure::place);
-        let changed = output == Some(Place::Output);
         let looked = match &self.looked {
             Ok(Some(looked)) => looked,
-            _ => return identity::identify(&self.probe, &self.name, shown, changed),
+            _ => return identity::identify(&self.probe, &self.name, shown),
         };
         let Looked { departure, solved, .. } = looked;
         let Some(departure) = departure.as_ref().filter(|it| it.place() == Place::Equation) else {
-            return identity::identify(&self.probe, &self.name, shown, changed);
+            return identity::identify(&self.probe, &self.name, shown);
         };
         let Some(solved) = solved else { return Ok(None) };
         let solver = solved.method(&identity::Asked::of(&self.probe)?);

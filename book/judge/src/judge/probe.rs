@@ -4,7 +4,7 @@
 use core::fmt;
 
 use super::equation::Departure;
-use super::verdict::{Measured, Trouble, checked};
+use super::verdict::{Measured, Trouble, checked, told};
 use crate::stranger::{Chosen, Reply, Request, Stranger};
 use pendula::AnyMethod;
 use pendula::exact::Motion;
@@ -33,16 +33,19 @@ pub struct Probe<'s> {
     /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
     /// other units of time, where that is too little to be a mistake.
     tolerance: f64,
+    /// And what it makes of a step that is long, where an iteration ends later (rad).
+    in_long_steps: f64,
     /// The most steps of a request that it answers in time.
     longest: u64,
 }
 
 impl fmt::Debug for Probe<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { measured_rounding, tolerance, longest, .. } = self;
+        let Self { measured_rounding, tolerance, in_long_steps, longest, .. } = self;
         f.debug_struct("Probe")
             .field("measured_rounding", measured_rounding)
             .field("tolerance", tolerance)
+            .field("in_long_steps", in_long_steps)
             .field("longest", longest)
             .finish_non_exhaustive()
     }
@@ -67,7 +70,14 @@ impl<'s> Probe<'s> {
         let longest = stranger.longest_run();
         let measured_rounding = Ok(f64::EPSILON);
         let rounding = f64::EPSILON;
-        let mut probe = Self { stranger, rounding, measured_rounding, tolerance: 0.0, longest };
+        let mut probe = Self {
+            stranger,
+            rounding,
+            measured_rounding,
+            tolerance: 0.0,
+            in_long_steps: 0.0,
+            longest,
+        };
         match probe.measure_rounding() {
             Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
             measured => {
@@ -76,7 +86,41 @@ impl<'s> Probe<'s> {
         }
         // What is more than the states themselves is no rounding.
         probe.rounding = probe.measured_rounding.clone().map_or(f64::EPSILON, |x| x.min(1.0));
+        if let Some(digits) = told(probe.printed_digits())?.flatten() {
+            probe.rounding = probe.rounding.max(half_of_the_last(digits));
+        }
         Ok(probe)
+    }
+
+    /// With how many significant digits it prints its numbers, if these are 12 to 16: fewer are told
+    /// by what they make of a step, and 17 are all that a double has.
+    fn printed_digits(&self) -> Measured<Option<usize>> {
+        let mut numbers = Vec::new();
+        for start in [Phase { theta: 0.9, omega: 0.3 }, Phase { theta: -0.7, omega: 2.1 }] {
+            let states = self.states(Request::run(start, step(0.1), 10))?;
+            numbers.extend(states.into_iter().flat_map(|z| [z.theta, z.omega]));
+        }
+        let printed = |x: f64, digits: usize| {
+            format!("{x:.*e}", digits - 1).parse::<f64>().is_ok_and(|read| read == x)
+        };
+        // Of sixteen digits one double in two to ten is a number, of fifteen one in twenty to a
+        // hundred, and never all of forty by chance.
+        Ok((12..=16).find(|digits| numbers.iter().all(|x| printed(*x, *digits))))
+    }
+
+    /// What rounding makes of a pendulum at rest at the bottom in so many steps (rad): along sixteen
+    /// starts beside it, as for [`Self::rounding`], at the end of the run. A program that adds
+    /// something to the angle inside, as π or Ωt, rounds there as it does elsewhere; one that does
+    /// not rounds in proportion to the angle, of which nothing is left.
+    pub fn rounding_at_rest(&self, x: f64, steps: u64) -> Measured<f64> {
+        const APART: f64 = 1e-9;
+        let mut ends = [[0.0; 16]; 2];
+        for j in 0..16 {
+            let start = Phase { theta: (j as f64 - 7.5) * APART, omega: 0.0 };
+            let z = self.end(Request::run(start, step(x), steps))?;
+            (ends[0][j], ends[1][j]) = (z.theta, z.omega / frequency());
+        }
+        Ok(libm::fmaximum(noise(&ends[0]), noise(&ends[1])))
     }
 
     /// Of a method that is known to compute in double precision: what it rounds by more is a
@@ -88,6 +132,16 @@ impl<'s> Probe<'s> {
     /// With what a tolerance inside the stranger makes of 200 steps (rad).
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
+    }
+
+    /// With what a tolerance inside the stranger makes of a long step (rad).
+    pub fn with_long_steps(self, in_long_steps: f64) -> Self {
+        Self { in_long_steps, ..self }
+    }
+
+    /// What a tolerance inside the stranger makes of a long step (rad).
+    pub const fn in_long_steps(&self) -> f64 {
+        self.in_long_steps
     }
 
     /// Of numbers of which digits are `cut_off`: those of order 1 round by half of the last one.
@@ -167,11 +221,9 @@ impl<'s> Probe<'s> {
             let (above, below) = (end(0.01)?, end(-0.01)?);
             for k in 0..2 {
                 let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
-                let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-                let noise = along.windows(4).map(third).fold(0.0, libm::fmaximum);
                 let expected = 15.0 * APART * (above[k] - below[k]) / 0.02;
                 let missing = (along[15] - along[0] - expected).abs();
-                for found in [noise / libm::sqrt(20.0), missing - 1e-3 * expected.abs()] {
+                for found in [noise(&along), missing - 1e-3 * expected.abs()] {
                     largest = libm::fmaximum(largest, found);
                 }
             }
@@ -179,6 +231,18 @@ impl<'s> Probe<'s> {
         // States at the end of the range have differences beyond it.
         if largest.is_finite() { Ok(largest) } else { Err(Trouble::NotFinite) }
     }
+}
+
+/// What is no smooth function along equally spaced starts: third differences, of which those of
+/// rounding have √20 times as much.
+fn noise(along: &[f64]) -> f64 {
+    let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
+    along.windows(4).map(third).fold(0.0, libm::fmaximum) / libm::sqrt(20.0)
+}
+
+/// Half of the last of so many significant digits, of a number of order 1.
+fn half_of_the_last(digits: usize) -> f64 {
+    0.5 * libm::pow(10.0, 1.0 - digits as f64)
 }
 
 /// The pendulum with this g/L (1/s²).

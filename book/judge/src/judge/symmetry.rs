@@ -88,8 +88,11 @@ pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
         Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => return Ok(worst),
         rest => rest?,
     };
-    // There is nothing to be rounded at zero: this is room for a solver that iterates.
-    let bound = 1e-6 * probe.rounding;
+    // There is nothing to be rounded at zero, but of a program whose angle inside is another one: ten
+    // times what is found beside it, as the largest of some hundred sums may exceed their mean by
+    // that. And there is room for a solver that iterates.
+    let beside = told(probe.rounding_at_rest(X, STEPS))?.unwrap_or_default();
+    let bound = 10.0 * beside + 1e-6 * probe.rounding;
     Ok(worst.worse(Apart { largest: distance(rest, Phase::default()), bound }))
 }
 
@@ -124,16 +127,45 @@ pub fn tolerance(probe: &Probe<'_>) -> Measured<f64> {
     Ok(units.map_or(0.0, |units| units.largest))
 }
 
+/// What a tolerance inside the stranger makes of a step of about x = 1 (rad), where an iteration ends
+/// later than in the short ones of [`tolerance`]: by how much eight of them differ in other units of
+/// time, an eighth. A difference that is no more than rounding, or too large for a tolerance, counts
+/// for nothing.
+pub fn in_long_steps(probe: &Probe<'_>) -> Measured<f64> {
+    const STEPS: u64 = 8;
+    let mut largest = 0.0_f64;
+    for start in STARTS {
+        for x in [0.8, 1.1] {
+            for unit in [4.0, 3.0] {
+                let hurried = Phase { omega: start.omega * unit, ..start };
+                let run = Request::run(hurried, step(x) / unit, STEPS).with(G_OVER_L * unit * unit);
+                let slow = told(probe.states(Request::run(start, step(x), STEPS)))?;
+                let fast = told(probe.states(run))?;
+                let (Some(slow), Some(fast)) = (slow, fast) else { continue };
+                let fast: Vec<Phase> =
+                    fast.into_iter().map(|z| Phase { omega: z.omega / unit, ..z }).collect();
+                largest = libm::fmaximum(largest, compared(&slow, &fast, 0.0).largest);
+            }
+        }
+    }
+    let rounding = 100.0 * STEPS as f64 * probe.rounding;
+    Ok(if largest > rounding && largest < 1e-9 { largest / STEPS as f64 } else { 0.0 })
+}
+
 /// θ → θ + 2π: the same motion, some turns higher.
 pub fn turn(probe: &Probe<'_>) -> Measured<Apart> {
     stable(probe)?;
     let mut worst = Apart { largest: 0.0, bound: probe.rounding_bound(STEPS, X) };
     for start in STARTS {
         let here = probe.states(Request::run(start, step(X), STEPS))?;
-        for turns in [1.0, -3.0, 100.0] {
+        for turns in [1.0, -3.0, 100.0, 1000.0, -20_000.0] {
             let shift = TAU * turns;
             let raised = Phase { theta: start.theta + shift, ..start };
-            let there = probe.states(Request::run(raised, step(X), STEPS))?;
+            let there = match probe.states(Request::run(raised, step(X), STEPS)) {
+                // So far away a program may refuse to begin.
+                Err(Trouble::NoAnswer(_)) if turns.abs() > 100.0 => continue,
+                there => there?,
+            };
             let there: Vec<Phase> =
                 there.into_iter().map(|z| Phase { theta: z.theta - shift, ..z }).collect();
             // Each step rounds the last digit of a larger angle.

@@ -1,7 +1,7 @@
 //! Findings in words: what was measured, and how or what follows.
 
 use super::numbers::{about, scientific, slopes};
-use crate::finding::{EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
+use crate::finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 use crate::judge::verdict::{Trouble, Verdict};
 
 /// The pendulum's equation.
@@ -56,6 +56,16 @@ impl Finding {
             Measurement::DrivenSlopes { .. } => {
                 format!("slopes with a drive {}", slopes(&self.values))
             }
+            Measurement::Beyond(Beyond::Same { fast, small, long }) => {
+                let parts = [
+                    fast.then_some("|ω| up to 30 ω₀"),
+                    small.then_some("swings of 10⁻⁴ rad"),
+                    long.then_some("ω₀h up to 1.9"),
+                ];
+                let parts: Vec<&str> = parts.into_iter().flatten().collect();
+                format!("the same for {}", parts.join(", "))
+            }
+            Measurement::Beyond(_) => "different beyond the usual states and steps".to_string(),
             Measurement::Said { measured, .. } => measured.clone(),
         }
     }
@@ -181,6 +191,27 @@ impl Finding {
                 }
                 None => "With a drive too few step sizes show more than rounding.".to_string(),
             },
+            Measurement::Beyond(Beyond::Same { .. }) => String::new(),
+            Measurement::Beyond(Beyond::Fast { velocity, power, usual }) => {
+                let falls = match *power {
+                    ..0.5 => "does not fall with h".to_string(),
+                    power => format!("falls as h to the power {power:.1}"),
+                };
+                format!(
+                    "From |ω| = {velocity} ω₀ the error of a step {falls}. From slow states it \
+                     falls as h to the power {usual:.1}."
+                )
+            }
+            Measurement::Beyond(Beyond::Small { amplitude, larger }) => format!(
+                "A swing of {} rad is not a swing of {larger} rad made smaller: they differ by {} \
+                 of the amplitude.",
+                about(*amplitude),
+                scientific(first)
+            ),
+            Measurement::Beyond(Beyond::Long { x }) => format!(
+                "Steps of x = ω₀h = {x} are not those of its method: they differ by {} rad.",
+                scientific(first)
+            ),
             Measurement::Said { why, .. } => why.clone(),
         }
     }
@@ -225,6 +256,12 @@ fn of_slopes(found: Slopes) -> String {
         Slopes::Between(last) => format!(
             "The slopes end at {}, between two orders or still on the way to one.",
             slopes(&[last])
+        ),
+        Slopes::Low(last) => {
+            format!("The slopes end at {}, more than an order too low.", slopes(&[last]))
+        }
+        Slopes::OfMethod(order) => format!(
+            "The slopes alone are unclear. Its steps are those of a known method, of order {order}."
         ),
         Slopes::Long { order, slope, window } => format!(
             "Over the shortest steps the slope is {slope:.1}. Only long steps show order {order}, \
