@@ -291,12 +291,14 @@ impl Solver for To {
 #[test]
 fn the_impossible_need_not_be_asked_for() {
     let refusal = |fault| {
-        let report = judge_solver(&To(fault), Claims::order(8));
+        let report = judge_solver(&To(fault), Claims::order(8).refuses());
         let found = report.finding(Property::Refusal).unwrap();
         (found.verdict, found.claimed.clone(), found.measured(), report.verdict)
     };
     let (verdict, claimed, _, all) = refusal(Fault::Unsupported);
-    assert_eq!((verdict, claimed, all), (Verdict::NotMeasured, None, Verdict::Holds));
+    let claimed = claimed.as_deref();
+    let not_measured = Verdict::NotMeasured;
+    assert_eq!((verdict, claimed, all), (not_measured, Some("refuses"), not_measured));
     let (verdict, _, _, all) = refusal(Fault::Refused("no".to_string()));
     assert_eq!((verdict, all), (Verdict::Holds, Verdict::Holds));
     let (verdict, _, measured, all) = refusal(Fault::Broken("it hangs".to_string()));

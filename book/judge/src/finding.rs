@@ -251,6 +251,7 @@ impl Measurement {
         match self {
             Self::Nothing => "nothing",
             Self::NotHad(Trouble::NoAnswer(_)) => "no-answer",
+            Self::NotHad(Trouble::Lost(_)) => "lost-answer",
             Self::NotHad(_) => "wrong-answer",
             Self::RightRates => "right-rates",
             Self::StepsOf(_) => "steps-of-method",
@@ -334,7 +335,7 @@ impl Finding {
 impl From<Trouble> for Finding {
     fn from(trouble: Trouble) -> Self {
         let verdict = match trouble {
-            Trouble::NoAnswer(_) => Verdict::NotMeasured,
+            Trouble::NoAnswer(_) | Trouble::Lost(_) => Verdict::NotMeasured,
             _ => Verdict::Fails,
         };
         Self { verdict, measurement: Measurement::NotHad(trouble), ..Self::default() }

@@ -151,9 +151,57 @@ pub fn mistakes() -> &'static [Known] {
     &MISTAKES
 }
 
-/// The right method of this name, among its other names too, in capitals or not.
+/// A name as names are compared: in small letters, and without blanks, hyphens and underscores.
+fn bare(name: &str) -> String {
+    let is_kept = |c: &char| !(c.is_whitespace() || ['-', '–', '_'].contains(c));
+    name.chars().filter(is_kept).collect::<String>().to_lowercase()
+}
+
+/// The names of the right methods that may be meant by a name that none has: of those that have it
+/// in one of their names, or else its letters up to the first digit, or else two letters at most
+/// that differ. None, if there is none.
+pub(crate) fn meant(name: &str) -> Vec<&'static str> {
+    let name = bare(name);
+    let stem: String = name.chars().take_while(|c| !c.is_ascii_digit()).collect();
+    let those = |is_like: &dyn Fn(&str) -> bool| -> Vec<&'static str> {
+        let names = |known: &'static Known| known.also.iter().chain([&known.name]);
+        let is_meant = |known: &&'static Known| names(known).any(|other| is_like(&bare(other)));
+        methods().iter().filter(is_meant).map(|known| known.name.as_str()).collect()
+    };
+    let has = |part: &str, least: usize| match part.chars().count() < least {
+        true => Vec::new(),
+        false => those(&|other| other.contains(part)),
+    };
+    let with_a_slip = |other: &str| other.chars().count() > 4 && apart(&name, other) <= 2;
+    let kinds = [has(&name, 3), has(&stem, 4), those(&with_a_slip)];
+    kinds.into_iter().find(|those| !those.is_empty()).unwrap_or_default()
+}
+
+/// How many letters have to be changed, left out or put in to make one of the other; more than two
+/// are three.
+fn apart(one: &str, other: &str) -> usize {
+    let [one, other] = [one, other].map(|word| word.chars().collect::<Vec<_>>());
+    if one.len().abs_diff(other.len()) > 2 {
+        return 3;
+    }
+    let mut row: Vec<usize> = (0..=other.len()).collect();
+    for (i, c) in one.iter().enumerate() {
+        let mut before = i;
+        row[0] = i + 1;
+        for (j, d) in other.iter().enumerate() {
+            let changed = before + usize::from(c != d);
+            before = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(before + 1);
+        }
+    }
+    row[other.len()].min(3)
+}
+
+/// The right method of this name, among its other names too, in capitals or not, and with or without
+/// blanks, hyphens and underscores: `velocity-verlet` is "velocity Verlet".
 pub fn method(name: &str) -> Option<&'static Known> {
-    let is = |other: &str| other.eq_ignore_ascii_case(name);
+    let name = bare(name);
+    let is = |other: &str| bare(other) == name;
     let by_name = methods().iter().find(|known| is(&known.name));
     by_name.or_else(|| methods().iter().find(|known| known.also.iter().any(|other| is(other))))
 }

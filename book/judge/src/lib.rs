@@ -73,6 +73,7 @@
 
 mod finding;
 pub mod formats;
+mod forward;
 mod judge;
 pub mod known_answers;
 pub mod printable;

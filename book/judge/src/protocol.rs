@@ -206,9 +206,10 @@ fn number(name: &str, word: &str) -> Result<f64, String> {
     if number.is_finite() { Ok(number) } else { Err(format!("{name} is not finite")) }
 }
 
-/// Any f64: "inf", "nan" and 1e999 are numbers to Rust.
+/// Any f64: "inf", "nan" and 1e999 are numbers to Rust. Fortran writes 0.92D+00 for 0.92e+00.
 fn any_number(name: &str, word: &str) -> Result<f64, String> {
-    word.parse().map_err(|_| format!("{name} is no number"))
+    let of_fortran = || word.replace(['D', 'd'], "e").parse();
+    word.parse().or_else(|_| of_fortran()).map_err(|_| format!("{name} is no number"))
 }
 
 /// A whole number of 1 or more.
@@ -331,6 +332,7 @@ mod tests {
         let state = Phase { theta: -1e-7, omega: 2.0 };
         assert_eq!(answer(" -1e-07\t2. \r"), Ok(Answer::Row(state)));
         assert_eq!(answer("1e6 -1e-07 2.0"), Ok(Answer::Row((1e6, state))));
+        assert_eq!(answer("-0.10000000000000000D-06 2.0d+00"), Ok(Answer::Row(state)));
         let answer = answer::<Phase>;
         assert_eq!(answer("done"), Ok(Answer::Done(None)));
         assert_eq!(answer("done 1001"), Ok(Answer::Done(Some(1001))));

@@ -138,6 +138,13 @@ pub trait Solver {
         Duration::from_secs(10)
     }
 
+    /// Whether it may be asked what a right solver may never answer, such as for a tolerance of zero:
+    /// a program may, which is ended when it is late. A function cannot be ended, and is asked only
+    /// if it is [claimed](crate::Claims::refuses) that it refuses.
+    fn may_hang(&self) -> bool {
+        false
+    }
+
     /// The time by which the judge sees how long answers take, since some moment: that of the
     /// machine. A solver of a test counts its work instead, so that what is said of it does not
     /// depend on what else the machine does.
@@ -230,6 +237,11 @@ impl<M: Controlled<Pendulum>> Solver for ByTolerance<M> {
         let all = walk.crossings(Direction::Either, |_, z: Phase| z.theta);
         all.map(|found| found.map(|found| (found.t, found.z)).map_err(refused)).collect()
     }
+
+    /// It refuses all that is impossible.
+    fn may_hang(&self) -> bool {
+        true
+    }
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -266,9 +278,13 @@ impl<R: IntoReply, E: fmt::Display> IntoReply for Result<R, E> {
 }
 
 /// A solver that is a function of g/L (1/s²), θ (rad), ω (rad/s), t₀ (s), the tolerance and the
-/// times (s), which returns a pair (θ, ω) for each of them: see [`IntoReply`]. It is asked for the
-/// impossible too (a tolerance of zero, a time that never comes), and has to answer that with an
-/// error.
+/// times (s), which returns a pair (θ, ω) for each of them: see [`IntoReply`]. If it is
+/// [claimed](crate::Claims::refuses) that it refuses the impossible (a tolerance of zero, a time that
+/// never comes), it is asked for that too, and has to answer it with an error.
+///
+/// A function cannot be interrupted: one that never returns keeps its caller. Many solvers never
+/// return from a run backwards; of those [`Claims::forward_only`](crate::Claims::forward_only) is
+/// claimed.
 #[derive(Clone, Copy)]
 pub struct SolveFn<F>(pub F);
 

@@ -129,6 +129,9 @@ pub enum Fault {
     Unsupported,
     /// The stranger refuses this request, and says why.
     Refused(String),
+    /// No answer that can be used: it was late, was none, or ended the stranger, which begins anew.
+    /// Other requests may be answered.
+    Lost(String),
     /// The stranger broke the protocol: nothing more can be asked of it.
     Broken(String),
 }
@@ -138,6 +141,7 @@ impl fmt::Display for Fault {
         match self {
             Self::Unsupported => f.write_str("this kind of request is not known"),
             Self::Refused(why) => write!(f, "the request is refused: {why}"),
+            Self::Lost(why) => write!(f, "no answer that can be used: {why}"),
             Self::Broken(why) => write!(f, "the protocol is broken: {why}"),
         }
     }

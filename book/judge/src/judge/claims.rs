@@ -40,6 +40,17 @@ pub struct Claims {
     pub free_outputs: bool,
     /// Of a solver: that it finds where θ passes zero.
     pub crossings: bool,
+    /// Of a solver: that the impossible, as a tolerance of zero or NaN or a time that never comes,
+    /// ends in an error. Without this claim it is said what comes of it, and not judged.
+    pub refuses: bool,
+    /// Of a solver: that states between its steps come from polynomials of this degree, so that
+    /// their error falls with the next higher power of the step. Without this claim they have to be
+    /// as good as the steps.
+    pub outputs: Option<u32>,
+    /// That it runs forward only: nothing is asked backwards, and what needs it is not judged.
+    pub forward_only: bool,
+    /// That it computes in single precision, by which its errors are measured then.
+    pub single_precision: bool,
 }
 
 impl Claims {
@@ -105,6 +116,28 @@ impl Claims {
         Self { crossings: true, ..self }
     }
 
+    /// And that a solver ends in an error where the impossible is asked for, as a tolerance of zero
+    /// or NaN, or a time that never comes.
+    pub fn refuses(self) -> Self {
+        Self { refuses: true, ..self }
+    }
+
+    /// And that states between the steps of a solver come from polynomials of this `degree`, so that
+    /// their error falls with the power `degree` + 1 of the step.
+    pub fn outputs(self, degree: u32) -> Self {
+        Self { outputs: Some(degree), ..self }
+    }
+
+    /// And that it runs forward only: nothing is asked backwards.
+    pub fn forward_only(self) -> Self {
+        Self { forward_only: true, ..self }
+    }
+
+    /// And that it computes in single precision.
+    pub fn single_precision(self) -> Self {
+        Self { single_precision: true, ..self }
+    }
+
     /// What is claimed of the properties that equal steps alone have.
     pub(crate) fn of_steps(&self) -> [(Property, Option<String>); 5] {
         let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
@@ -118,12 +151,14 @@ impl Claims {
     }
 
     /// What is claimed of the properties that a solver alone has.
-    pub(crate) fn of_a_solver(&self) -> [(Property, Option<String>); 3] {
+    pub(crate) fn of_a_solver(&self) -> [(Property, Option<String>); 5] {
         let word = |claimed: bool, word: &str| claimed.then(|| word.to_string());
         [
             (Property::Estimate, self.estimate.map(|power| power.to_string())),
             (Property::FreeOutputs, word(self.free_outputs, "free")),
             (Property::Crossings, word(self.crossings, "crossings")),
+            (Property::Refusal, word(self.refuses, "refuses")),
+            (Property::SolveOutput, self.outputs.map(of_degree)),
         ]
     }
 
@@ -154,6 +189,11 @@ impl Claims {
     }
 }
 
+/// What is claimed of outputs of this degree.
+pub(crate) fn of_degree(degree: u32) -> String {
+    format!("degree {degree}")
+}
+
 /// The largest number that a claim in words may have.
 const MOST: u64 = 99_999;
 
@@ -168,13 +208,14 @@ fn shortened(word: &str) -> String {
 
 /// That there is no method of this name, and which have one like it.
 fn unknown(name: &str) -> String {
-    let begins = |known: &&Known| {
-        let beginning = name.get(..3).unwrap_or(name);
-        !beginning.is_empty() && known.name.starts_with(&beginning.to_ascii_lowercase())
-    };
-    let like = known_answers::methods().iter().filter(begins).map(|known| known.name.as_str());
-    let like: Vec<&str> = like.collect();
-    let like = if like.is_empty() { vec!["rk4", "stormer-verlet", "…"] } else { like };
+    const SHOWN: usize = 8;
+    let mut like = known_answers::meant(name);
+    if like.is_empty() {
+        like = vec!["rk4", "stormer-verlet", "…"];
+    } else if like.len() > SHOWN {
+        like.truncate(SHOWN);
+        like.push("…");
+    }
     format!(
         "name={}: no method of known-answers.json has this name; there are {}",
         shortened(name),
@@ -220,6 +261,7 @@ impl Claims {
             let repeated = match key {
                 "order" => claims.order.replace(number()? as u32).is_some(),
                 "estimate" => claims.estimate.replace(number()? as u32).is_some(),
+                "outputs" => claims.outputs.replace(number()? as u32).is_some(),
                 "evaluations" => claims.evaluations.replace(number()?).is_some(),
                 "name" => {
                     let name = value.unwrap_or_default();
@@ -227,6 +269,7 @@ impl Claims {
                     claims.name.replace(name.to_string()).is_some()
                 }
                 "symplectic" | "symmetric" | "bounded-energy" | "free-outputs" | "crossings"
+                | "refuses" | "forward-only" | "single-precision"
                     if value.is_some() =>
                 {
                     return Err(format!("{}: {key} takes no value", shortened(word)));
@@ -236,11 +279,15 @@ impl Claims {
                 "bounded-energy" => core::mem::replace(&mut claims.bounded_energy, true),
                 "free-outputs" => core::mem::replace(&mut claims.free_outputs, true),
                 "crossings" => core::mem::replace(&mut claims.crossings, true),
+                "refuses" => core::mem::replace(&mut claims.refuses, true),
+                "forward-only" => core::mem::replace(&mut claims.forward_only, true),
+                "single-precision" => core::mem::replace(&mut claims.single_precision, true),
                 _ => {
                     return Err(format!(
                         "{}: no such claim; there are order=P, symplectic, symmetric, \
-                         bounded-energy, evaluations=N, name=METHOD and, of a \
-                         solver, estimate=Q, free-outputs and crossings",
+                         bounded-energy, evaluations=N, name=METHOD, forward-only, \
+                         single-precision and, of a solver, estimate=Q, free-outputs, crossings, \
+                         outputs=N and refuses",
                         shortened(word)
                     ));
                 }
@@ -265,6 +312,10 @@ impl fmt::Display for Claims {
             self.estimate.map(|power| format!("estimate={power}")),
             self.free_outputs.then(|| "free-outputs".to_string()),
             self.crossings.then(|| "crossings".to_string()),
+            self.refuses.then(|| "refuses".to_string()),
+            self.outputs.map(|degree| format!("outputs={degree}")),
+            self.forward_only.then(|| "forward-only".to_string()),
+            self.single_precision.then(|| "single-precision".to_string()),
         ];
         f.write_str(&words.into_iter().flatten().collect::<Vec<_>>().join(" "))
     }

@@ -3,7 +3,7 @@
 pub(crate) mod advice;
 mod answers;
 pub(crate) mod area;
-mod claims;
+pub(crate) mod claims;
 pub(crate) mod energy;
 pub(crate) mod equation;
 mod expansion;
@@ -38,6 +38,7 @@ use equation::{Looked, Undo, Undone};
 use probe::Probe;
 use verdict::{Measured, told};
 
+use super::forward::Forward;
 use super::stranger::{Fault, Stranger};
 use crate::finding::{Finding, Measurement};
 use crate::property::Property;
@@ -59,7 +60,9 @@ pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
 /// # Errors
 /// [`Fault::Broken`] says what the stranger did, if it broke the protocol.
 pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Fault> {
-    Ok(report(stranger, &claims)?.without_word("solve", claims.of_a_solver()))
+    let forward = Forward(stranger);
+    let asked: &dyn Stranger = if claims.forward_only { &forward } else { stranger };
+    Ok(report(asked, &claims)?.without_word("solve", claims.of_a_solver()))
 }
 
 /// What is found of `stranger`: of its own states, if what it takes or hands out was changed in a
@@ -145,7 +148,8 @@ fn properties(
     }
     judge.report.conclude(claims.are_none());
     judge.mistake();
-    let Looking { advice, resembles } = advice::at(&judge.probe, claims, &judge.report)?;
+    let looking = told(advice::at(&judge.probe, claims, &judge.report))?;
+    let Looking { advice, resembles } = looking.unwrap_or_default();
     let mut report = judge.report;
     // One name: what it is but for one thing goes before the same on another equation.
     if resembles.is_some() {
@@ -246,8 +250,9 @@ impl Judge<'_> {
         let found = core::mem::replace(&mut self.looked, Ok(None));
         let told = equation::Told::new(&found, self.report.departure.take(), self.name.one());
         self.looked = found;
-        let claimed =
-            |found: &Measured<Finding>| found.as_ref().ok().and_then(|_| self.claims.implied());
+        // Who does not answer need not be asked; who is late, or at fault, need.
+        let is_asked = |found: &Measured<Finding>| matches!(found, Ok(_) | Err(Trouble::Lost(_)));
+        let claimed = |found: &Measured<Finding>| self.claims.implied().filter(|_| is_asked(found));
         let [of_equation, of_output] = [claimed(&told.equation), claimed(&told.output)];
         self.note(Property::Equation, of_equation, told.equation, Finding::clone)?;
         self.note(Property::Output, of_output, told.output, Finding::clone)?;
@@ -362,9 +367,9 @@ impl Judge<'_> {
             replies::judge_repeatable(other)
         })?;
         let rounding = self.probe.measured_rounding.clone();
-        let cut_off = self.cut_off.take();
+        let (cut_off, single) = (self.cut_off.take(), self.claims.single_precision);
         self.note(Property::Precision, self.claims.implied(), rounding, |&rounding| {
-            replies::judge_precision(rounding, cut_off.as_ref())
+            replies::judge_precision(rounding, cut_off.as_ref(), single)
         })?;
         self.report.departure = self.report.departure.take().or(cut_off);
         Ok(())

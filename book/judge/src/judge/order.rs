@@ -73,7 +73,9 @@ pub fn ladder(probe: &Probe<'_>, expected: u32) -> Measured<Ladder> {
         match error(probe, &STARTS, n, 1.max(n / 64)) {
             Ok(error) => rungs.push((DURATION / n as f64, error)),
             // Too long a step for an implicit method, or for a method that runs away.
-            Err(trouble @ (Trouble::NoAnswer(_) | Trouble::NotFinite)) if rungs.is_empty() => {
+            Err(trouble @ (Trouble::NoAnswer(_) | Trouble::Lost(_) | Trouble::NotFinite))
+                if rungs.is_empty() =>
+            {
                 unanswered = Some(trouble);
                 continue;
             }

@@ -110,7 +110,7 @@ fn of_the_loss(#[case] sign: f64) {
 /// Catches: a threshold of the precision that is moved.
 #[test]
 fn of_the_precision() {
-    let of = |rounding| precision(rounding, None).verdict;
+    let of = |rounding| precision(rounding, None, false).verdict;
     changes(2e-14, [Holds, Unclear], of);
     changes(1e-11, [Unclear, Fails], of);
 }

@@ -60,6 +60,8 @@ pub enum Trouble {
     },
     /// It answered with a state that is not finite.
     NotFinite,
+    /// It gave no answer that can be used, and begins anew: this costs one property.
+    Lost(String),
     /// It broke the protocol; the judging ends.
     Broken(String),
 }
@@ -73,7 +75,7 @@ impl fmt::Display for Trouble {
             }
             Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
             Self::NotFinite => f.write_str("a state is not finite"),
-            Self::Broken(why) => f.write_str(why),
+            Self::Lost(why) | Self::Broken(why) => f.write_str(why),
         }
     }
 }
@@ -83,16 +85,17 @@ impl From<Fault> for Trouble {
         match fault {
             Fault::Unsupported => Self::NoAnswer("unsupported".to_string()),
             Fault::Refused(why) => Self::NoAnswer(why),
+            Fault::Lost(why) => Self::Lost(why),
             Fault::Broken(why) => Self::Broken(why),
         }
     }
 }
 
-/// What ends the judging.
 impl From<Trouble> for Fault {
     fn from(trouble: Trouble) -> Self {
         match trouble {
             Trouble::Broken(why) => Self::Broken(why),
+            Trouble::Lost(why) => Self::Lost(why),
             other => Self::Refused(other.to_string()),
         }
     }

@@ -3,6 +3,8 @@
 
 mod process;
 
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
 use std::ffi::OsString;
 use std::io::{self, Read, Write};
 use std::process::{Command, Stdio};
@@ -23,11 +25,24 @@ use crate::{Crossings, CrossingsRequest, Fault, Reply, Request, SolveRequest, So
 /// asked, most of which take a small part of the patience: see [`Program::longest_run`].
 const ALL: u32 = 120;
 
+/// And how many times as long with answers that cannot be used: with so many that are late, each of
+/// which costs the patience, and the program is begun anew for the next question. Beyond that
+/// nothing more is asked.
+const LOST: u32 = 20;
+
+/// As good as for ever.
+const YEAR: Duration = Duration::from_secs(365 * 86_400);
+
 /// How long a program that was told `bye` may take to end.
 const GRACE: Duration = Duration::from_millis(500);
 
 /// A program that speaks the protocol over its standard input and output. Dropped, it is told
 /// `bye`, and ended a moment later with all that it has started, if it has not ended by itself.
+///
+/// An answer that is late, that breaks the protocol or that ends the program is a [`Fault::Lost`]:
+/// the program is ended, and begun anew for the next question. The same question is not asked
+/// again. A word of the protocol whose first answer is lost counts as one that the program does not
+/// know.
 ///
 /// Whatever it writes, little of it is kept: a line longer than 1000 bytes is a fault, and so is
 /// one more than the answer has, or than 10 000 crossings; beyond a thousand lines that nobody has
@@ -36,16 +51,45 @@ const GRACE: Duration = Duration::from_millis(500);
 pub struct Program {
     command: String,
     name: String,
+    /// The words that start it, unless somebody else has started it.
+    words: Option<Vec<OsString>>,
+    interrupted: &'static AtomicBool,
     patience: Duration,
+    /// Whether whoever has started it ends what is late.
+    is_watched: bool,
     /// When all answers have to be there.
     end: Instant,
-    /// An error once the program was at fault, and has been ended.
-    talk: Mutex<Result<Conversation, String>>,
+    talk: Mutex<Talk>,
+}
+
+/// What was said so far.
+#[derive(Debug)]
+struct Talk {
+    now: Now,
+    /// The words of the protocol of which a question was answered.
+    known: HashSet<String>,
+    /// The words of which none was, and why.
+    unknown: HashMap<String, String>,
+    /// The questions whose answers were lost, and why.
+    lost: HashMap<String, String>,
+    /// How long those took.
+    took: Duration,
+}
+
+/// Whether a program can be asked.
+#[derive(Debug)]
+enum Now {
+    /// It runs.
+    Runs(Conversation),
+    /// It was ended, and is begun anew when it is asked again.
+    Anew,
+    /// It cannot be asked any more.
+    Gone(String),
 }
 
 impl Program {
     /// Starts `command`, its name and its arguments, and greets it. It has `patience` for each
-    /// answer, and 120 times as long for all.
+    /// answer, 20 times as long for those that are lost, and 120 times as long for all.
     ///
     /// # Errors
     /// One line that says why it cannot be started, or how it answered.
@@ -65,15 +109,13 @@ impl Program {
     ) -> Result<Self, String> {
         let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let shown = shortened(&words.join(" "), EXPLAINED);
-        let conversation = Conversation::start(command, interrupted)
-            .map_err(|error| format!("{shown} cannot be started: {error}"))?;
-        Self::greeted(shown, conversation, patience)
+        Self::new(shown, Some(command.to_vec()), Now::Anew, patience, interrupted).greeted()
     }
 
     /// As [`start_until`](Self::start_until), of a program that runs already, and has started this
     /// one perhaps: what it says comes from `answers`, and what it is asked goes to `questions`. It
-    /// is not ended. When this is dropped, `bye` has been written, unless nobody reads for half a
-    /// second.
+    /// is not ended, and not begun anew: after an answer that is lost it is asked nothing more. When
+    /// this is dropped, `bye` has been written, unless nobody reads for half a second.
     ///
     /// # Errors
     /// One line that says how it answered.
@@ -83,26 +125,63 @@ impl Program {
         patience: Duration,
         interrupted: &'static AtomicBool,
     ) -> Result<Self, String> {
-        let conversation = Conversation::of(answers, questions, None, interrupted);
-        Self::greeted("standard input".to_string(), conversation, patience)
+        let runs = Now::Runs(Conversation::of(answers, questions, None, interrupted));
+        Self::new("standard input".to_string(), None, runs, patience, interrupted).greeted()
     }
 
-    fn greeted(command: String, talk: Conversation, patience: Duration) -> Result<Self, String> {
-        let talk = Mutex::new(Ok(talk));
-        Self { command, name: String::new(), patience, end: Instant::now(), talk }.again()
+    fn new(
+        command: String,
+        words: Option<Vec<OsString>>,
+        now: Now,
+        patience: Duration,
+        interrupted: &'static AtomicBool,
+    ) -> Self {
+        let (known, unknown, lost) = Default::default();
+        let talk = Mutex::new(Talk { now, known, unknown, lost, took: Duration::ZERO });
+        let (name, end) = (String::new(), Instant::now() + ALL * patience);
+        Self { command, name, words, interrupted, patience, is_watched: false, end, talk }
     }
 
-    /// Greets it, again if it was before, and gives it all the time once more.
+    fn greeted(mut self) -> Result<Self, String> {
+        let talk = self.talk.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let now = std::mem::replace(&mut talk.now, Now::Anew);
+        let (now, name) = match now {
+            Now::Runs(mut conversation) => {
+                let name = self.greet(&mut conversation)?;
+                (conversation, name)
+            }
+            Now::Anew => self.begin()?,
+            Now::Gone(why) => return Err(why),
+        };
+        self.name = name;
+        self.talk.get_mut().unwrap_or_else(PoisonError::into_inner).now = Now::Runs(now);
+        Ok(self)
+    }
+
+    /// Whoever has started it ends what is late, and answers in its place: it is waited for as long
+    /// as that takes.
+    #[must_use]
+    pub fn watched(self) -> Self {
+        Self { is_watched: true, ..self }
+    }
+
+    /// Begins anew, or greets it again, and gives it all the time once more.
     ///
     /// # Errors
     /// One line that says how it answered.
     pub fn again(mut self) -> Result<Self, String> {
         self.end = Instant::now() + ALL * self.patience;
-        self.name = self.ask(HELLO, |talk| {
-            let line = talk.line(|| "without an answer".to_string())?;
-            greeting(&line).map_err(|why| Trouble::came(&line, &why))
-        })?;
-        Ok(self)
+        let talk = self.talk.get_mut().unwrap_or_else(PoisonError::into_inner);
+        talk.took = Duration::ZERO;
+        if self.words.is_some() {
+            talk.now = Now::Anew;
+        }
+        self.greeted()
+    }
+
+    /// The words that start it, in a short line.
+    pub fn command(&self) -> &str {
+        &self.command
     }
 
     /// The name that the program gives itself, which may be empty.
@@ -113,53 +192,135 @@ impl Program {
     /// Whether it knows `pendulum`, and so can be judged by its equal steps.
     ///
     /// # Errors
-    /// [`Fault::Broken`] if it breaks the protocol.
-    pub fn knows_pendulum(&self) -> Result<bool, Fault> {
-        known(self.answer(&steps(200)))
+    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was asked
+    /// for a run, and for a single step. [`Fault::Broken`] if it cannot be asked at all.
+    pub fn knows_pendulum(&self) -> Result<(), Fault> {
+        known([200, 1].map(steps), |request| self.answer(request))
     }
 
     /// Whether it knows `solve`, and so can be judged as a solver.
     ///
     /// # Errors
-    /// [`Fault::Broken`] if it breaks the protocol.
-    pub fn knows_solve(&self) -> Result<bool, Fault> {
-        known(self.solve(&SolveRequest::new(9.81, START, 1e-3).to(&[1.0])))
+    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was asked
+    /// for a state with a loose tolerance, and with a usual one. [`Fault::Broken`] if it cannot be
+    /// asked at all.
+    pub fn knows_solve(&self) -> Result<(), Fault> {
+        let request = |tolerance| SolveRequest::new(9.81, START, tolerance).to(&[1.0]);
+        known([1e-3, 1e-6].map(request), |request| self.solve(request))
+    }
+
+    /// The program, started and greeted, and its name.
+    fn begin(&self) -> Result<(Conversation, String), String> {
+        let words = self.words.as_deref().unwrap_or_default();
+        let mut conversation = Conversation::start(words, self.interrupted)
+            .map_err(|error| format!("{} cannot be started: {error}", self.command))?;
+        let name = self.greet(&mut conversation)?;
+        Ok((conversation, name))
+    }
+
+    /// The name with which it answers the greeting.
+    fn greet(&self, conversation: &mut Conversation) -> Result<String, String> {
+        let name = self.answered(conversation, HELLO, |talk| {
+            let line = talk.line(|| "without an answer".to_string())?;
+            greeting(&line).map_err(|why| Trouble::came(&line, &why))
+        });
+        name.map_err(|trouble| {
+            format!("{}: {}", self.command, self.inquest(conversation, HELLO, trouble))
+        })
     }
 
     /// Sends `question` and lets `read` read the answer.
+    fn answered<T>(
+        &self,
+        conversation: &mut Conversation,
+        question: &str,
+        read: impl FnOnce(&Conversation) -> Result<T, Trouble>,
+    ) -> Result<T, Trouble> {
+        conversation.deadline = match self.is_watched {
+            // Whoever watches ends with it.
+            true => Instant::now() + YEAR,
+            false => self.end.min(Instant::now() + self.patience),
+        };
+        conversation.has_come.set(false);
+        // A program may greet before it is greeted.
+        if question != HELLO {
+            conversation.nothing_waits()?;
+        }
+        // That a program has ended is seen when it does not answer.
+        let _ = conversation.questions.send(format!("{question}\n"));
+        read(conversation)
+    }
+
+    /// Ends the program, and says what was asked and what happened.
+    fn inquest(&self, conversation: &mut Conversation, question: &str, trouble: Trouble) -> String {
+        let waited = match Instant::now() < self.end {
+            true => format!("{} s", self.patience.as_secs_f64()),
+            false => format!("{} s of questions", (ALL * self.patience).as_secs_f64()),
+        };
+        let happened = conversation.inquest(trouble, &waited);
+        // A solver is asked for a hundred thousand times in one line.
+        let asked = shortened(question, EXPLAINED);
+        format!("asked \"{asked}\": {happened}")
+    }
+
+    /// Asks `question` and lets `read` read the answer. What can be asked no more, and why, is kept.
     fn ask<T>(
         &self,
         question: &str,
-        read: impl FnOnce(&Conversation) -> Result<T, Trouble>,
-    ) -> Result<T, String> {
+        read: impl Fn(&Conversation) -> Result<T, Trouble>,
+    ) -> Result<T, Fault> {
         let mut talk = self.talk.lock().unwrap_or_else(PoisonError::into_inner);
-        let conversation = match &mut *talk {
-            Ok(conversation) => conversation,
-            Err(why) => return Err(why.clone()),
-        };
-        conversation.deadline = self.end.min(Instant::now() + self.patience);
-        // A program may greet before it is greeted.
-        let silent = if question == HELLO { Ok(()) } else { conversation.nothing_waits() };
-        let answer = silent.and_then(|()| {
-            // That a program has ended is seen when it does not answer.
-            let _ = conversation.questions.send(format!("{question}\n"));
-            read(conversation)
-        });
-        let why = match answer {
-            Ok(answer) => return Ok(answer),
-            Err(trouble) => {
-                let waited = match Instant::now() < self.end {
-                    true => format!("{} s", self.patience.as_secs_f64()),
-                    false => format!("{} s of questions", (ALL * self.patience).as_secs_f64()),
+        let talk = &mut *talk;
+        let word = question.split(' ').next().unwrap_or_default();
+        if let Some(why) = talk.unknown.get(word) {
+            return Err(Fault::Refused(why.clone()));
+        }
+        if let Some(why) = talk.lost.get(question) {
+            return Err(Fault::Lost(why.clone()));
+        }
+        let begun = Instant::now();
+        let (trouble, why) = loop {
+            let is_new = matches!(talk.now, Now::Anew);
+            if is_new {
+                talk.now = match self.begin() {
+                    Ok((conversation, _)) => Now::Runs(conversation),
+                    Err(why) => Now::Gone(nothing_more(&why)),
                 };
-                let happened = conversation.inquest(trouble, &waited);
-                // A solver is asked for a hundred thousand times in one line.
-                let asked = shortened(question, EXPLAINED);
-                format!("{}: asked \"{asked}\": {happened}", self.command)
             }
+            let conversation = match &mut talk.now {
+                Now::Runs(conversation) => conversation,
+                Now::Gone(why) => return Err(Fault::Lost(why.clone())),
+                Now::Anew => return Err(Fault::Broken(INTERRUPTED.to_string())),
+            };
+            let trouble = match self.answered(conversation, question, &read) {
+                Ok(answer) => {
+                    talk.known.insert(word.to_string());
+                    return Ok(answer);
+                }
+                Err(trouble) => trouble,
+            };
+            let is_silent = matches!(trouble, Trouble::Ended(_)) && !conversation.has_come.get();
+            let why = self.inquest(conversation, question, trouble.clone());
+            // It may have ended at the question before, when it had answered.
+            if is_new || !is_silent || self.words.is_none() {
+                break (trouble, why);
+            }
+            talk.now = Now::Anew;
         };
-        *talk = Err(why.clone());
-        Err(why)
+        let has_had_enough = matches!(trouble, Trouble::Interrupted);
+        talk.took += begun.elapsed();
+        let can_begin = self.words.is_some() && !has_had_enough;
+        let has_time = talk.took < LOST * self.patience && Instant::now() < self.end;
+        talk.now = if can_begin && has_time { Now::Anew } else { Now::Gone(nothing_more(&why)) };
+        if has_had_enough {
+            return Err(Fault::Broken(why));
+        }
+        if !talk.known.contains(word) {
+            talk.unknown.insert(word.to_string(), why.clone());
+            return Err(Fault::Refused(why));
+        }
+        talk.lost.insert(question.to_string(), why.clone());
+        Err(Fault::Lost(why))
     }
 
     /// The rows of the answer to `question`, and the evaluations if the program counts. Each row is
@@ -206,7 +367,7 @@ impl Program {
                 }
             }
         });
-        answer.map_err(Fault::Broken)?
+        answer?
     }
 
     /// The reply to a question for so many states.
@@ -224,12 +385,20 @@ fn steps(count: u64) -> Request {
     Request::new(9.81, START, 0.01, count).every(count)
 }
 
-/// Whether the word of a question is known that was answered so.
-fn known(reply: Result<Reply, Fault>) -> Result<bool, Fault> {
-    match reply {
-        Err(Fault::Unsupported) => Ok(false),
-        Err(fault @ Fault::Broken(_)) => Err(fault),
-        _ => Ok(true),
+/// What is said of a question that is not asked, because of this.
+fn nothing_more(why: &str) -> String {
+    format!("nothing more is asked of it: {why}")
+}
+
+/// Whether a word is known: whether one of two questions has an answer.
+fn known<Q>(questions: [Q; 2], ask: impl Fn(&Q) -> Result<Reply, Fault>) -> Result<(), Fault> {
+    let [first, second] = &questions;
+    match ask(first) {
+        Err(Fault::Refused(why)) => match ask(second) {
+            Err(Fault::Refused(_)) => Err(Fault::Refused(why)),
+            other => other.map(drop),
+        },
+        other => other.map(drop),
     }
 }
 
@@ -325,6 +494,11 @@ impl Solver for Program {
     fn patience(&self) -> Duration {
         self.patience
     }
+
+    /// It is waited for no longer than the patience.
+    fn may_hang(&self) -> bool {
+        true
+    }
 }
 
 /// As many steps as take a quarter of `patience` (s), where `steps` of them took `took` (s); at
@@ -334,7 +508,7 @@ fn longest(steps: u64, took: f64, patience: f64) -> u64 {
 }
 
 /// Why an answer cannot be used.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Trouble {
     /// What came, in words.
     Came(String),
@@ -363,6 +537,8 @@ struct Conversation {
     /// Ends when all of them are written.
     writer: JoinHandle<()>,
     answers: Receiver<Line>,
+    /// Whether a line of the answer that is read has come.
+    has_come: Cell<bool>,
     /// When the answer that is read has to be there.
     deadline: Instant,
     /// Set when the user has had enough.
@@ -393,7 +569,8 @@ impl Conversation {
     ) -> Self {
         let (questions, writer) = process::writer(questions);
         let answers = process::lines(answers);
-        Self { process, questions, writer, answers, deadline: Instant::now(), interrupted }
+        let (has_come, deadline) = (Cell::new(false), Instant::now());
+        Self { process, questions, writer, answers, has_come, deadline, interrupted }
     }
 
     /// An error if the program has said something that nobody has asked for.
@@ -419,7 +596,10 @@ impl Conversation {
                 return Err(Trouble::Late(so_far()));
             }
             match self.answers.recv_timeout(left.min(LISTEN)) {
-                Ok(line) => return self.whole(line),
+                Ok(line) => {
+                    self.has_come.set(true);
+                    return self.whole(line);
+                }
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => {
                     return Err(Trouble::Ended(so_far()));
@@ -556,8 +736,11 @@ mod tests {
         let mut program = Program::start(&words.map(OsString::from), patience).unwrap();
         assert!(program.end > Instant::now() + 100 * patience);
         program.end = Instant::now();
-        let late = program.ask("pendulum", |talk| talk.line(String::new)).unwrap_err();
-        assert!(late.contains("given up after 120000 s of questions"), "{late}");
+        for count in [1, 2] {
+            let late = program.answer(&steps(count)).unwrap_err().to_string();
+            assert!(late.contains("given up after 120000 s of questions"), "{late}");
+        }
+        assert!(matches!(program.talk.get_mut().unwrap().now, Now::Gone(_)));
     }
 
     /// Catches: an escape sequence that reaches the terminal, a fault of megabytes, a blank lost.

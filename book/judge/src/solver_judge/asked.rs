@@ -23,6 +23,8 @@ pub struct Scenes {
     pub starts: [Phase; 3],
     /// How long they are (s).
     pub duration: f64,
+    /// What the solver rounds by, relative to a number.
+    pub epsilon: f64,
 }
 
 impl Scenes {
@@ -35,7 +37,18 @@ impl Scenes {
             Phase { theta: 0.4, omega: 8.0 },
         ],
         duration: 10.0,
+        epsilon: f64::EPSILON,
     };
+
+    /// The same for a solver in single precision.
+    pub const fn in_single(self) -> Self {
+        Self { epsilon: f32::EPSILON as f64, ..self }
+    }
+
+    /// How many times coarser it is than double precision.
+    pub fn coarser(&self) -> f64 {
+        self.epsilon / f64::EPSILON
+    }
 
     /// ω₀ (rad/s).
     pub fn frequency(&self) -> f64 {
@@ -68,7 +81,7 @@ impl Scenes {
     /// such sums may exceed their mean by. Steps are at most as many as evaluations.
     pub fn rounding(&self, evaluations: u64) -> f64 {
         let phase = 1.0 + self.frequency() * self.duration;
-        10.0 * f64::EPSILON * libm::sqrt(evaluations as f64) * phase
+        10.0 * self.epsilon * libm::sqrt(evaluations as f64) * phase
     }
 }
 

@@ -102,14 +102,14 @@ impl Passages {
             Self { wrong: Vec::new(), refused: Vec::new(), ratio: 0.0, every_second: false };
         let scenes = asked.scenes;
         for tolerance in tolerances(ladder) {
-            let bound = 10.0 * ladder.error_at(tolerance);
+            let bound = 10.0 * ladder.between_at(tolerance);
             for run in runs(&scenes) {
                 let span = [run.from, run.from + run.until];
                 let request = CrossingsRequest::new(scenes.g_over_l, run.start, span, tolerance);
                 match asked.crossings(&request) {
                     Ok(found) => passages.compare(&scenes, run, bound, &found),
                     // Who answers the first finds passages, if not in every run.
-                    Err(Trouble::NoAnswer(why)) if run.number > 0 => {
+                    Err(Trouble::NoAnswer(why) | Trouble::Lost(why)) if run.number > 0 => {
                         passages.refused.push((run.number, why));
                     }
                     Err(trouble) => return Err(trouble),

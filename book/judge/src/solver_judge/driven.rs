@@ -111,8 +111,8 @@ impl Driven {
             for (k, part) in PARTS.into_iter().enumerate() {
                 let allowed =
                     if part.to.len() == 1 { at_ends } else { libm::fmaximum(at_ends, elsewhere) };
-                // Not reached, or nothing to compare with.
-                if !(at_ends > 0.0 && allowed < 0.1) {
+                // Not reached, or nothing to compare with; or late before, which costs the patience.
+                if !(at_ends > 0.0 && allowed < 0.1) || refused[k].is_some() {
                     continue;
                 }
                 let times: Vec<f64> = part.to.iter().map(|knot| time(*knot)).collect();
@@ -120,7 +120,7 @@ impl Driven {
                 let states = match asked.reply(&run.driven(drive).to(&times)) {
                     Ok(reply) => reply.states,
                     // Who answers the first knows drives, if not in every run.
-                    Err(Trouble::NoAnswer(why)) if k > 0 => {
+                    Err(Trouble::NoAnswer(why) | Trouble::Lost(why)) if k > 0 => {
                         refused[k] = Some(why);
                         continue;
                     }

@@ -69,6 +69,9 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
     pub ended: Option<String>,
+    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these come
+    /// from polynomials of a degree; else none.
+    pub outputs: Vec<(f64, f64)>,
     /// Two counts of evaluations for the same answers to the same requests, the first and the
     /// second time, if they differ. Such counts are left out.
     pub miscount: Option<[u64; 2]>,
@@ -88,6 +91,9 @@ const LAST: usize = 9;
 
 /// The last is 10⁻¹³.
 const RUNGS: i32 = 21;
+/// In single precision it is 10⁻⁶: as many roundings as 10⁻¹⁴ of double precision, of which an
+/// estimate is made that is a difference of slopes.
+const SINGLE_RUNGS: i32 = 7;
 
 /// A solver whose estimate is of first power needs ten times the steps for a tenth of the
 /// tolerance: beyond so many evaluations nothing new is to be seen.
@@ -98,18 +104,28 @@ const FEWEST: i32 = 3;
 impl Ladder {
     /// Asks as far as patience allows.
     pub fn of(asked: Asked<'_>) -> Measured<Self> {
-        let mut ladder =
-            Self { scenes: asked.scenes, rungs: Vec::new(), ended: None, miscount: None };
+        let mut ladder = Self {
+            scenes: asked.scenes,
+            rungs: Vec::new(),
+            ended: None,
+            outputs: Vec::new(),
+            miscount: None,
+        };
+        let rungs = if asked.scenes.coarser() > 1.0 { SINGLE_RUNGS } else { RUNGS };
         let mut last = Duration::ZERO;
-        let allowed = asked.solver.patience() / 4;
-        for k in 0..RUNGS {
+        let patience = asked.solver.patience();
+        for k in 0..rungs {
             let tolerance = tolerance(k);
             let begun = asked.solver.clock();
             match rung(asked, tolerance) {
                 Ok(rung) => ladder.push(asked, rung)?,
                 // A tolerance may be too loose for it.
-                Err(Trouble::NoAnswer(_)) if ladder.rungs.is_empty() && k + 1 < RUNGS => continue,
-                Err(Trouble::NoAnswer(why)) if !ladder.rungs.is_empty() => {
+                Err(Trouble::NoAnswer(_) | Trouble::Lost(_))
+                    if ladder.rungs.is_empty() && k + 1 < rungs =>
+                {
+                    continue;
+                }
+                Err(Trouble::NoAnswer(why) | Trouble::Lost(why)) if !ladder.rungs.is_empty() => {
                     ladder.ended =
                         Some(format!("no answer at a tolerance of {tolerance:.0e}: {why}"));
                     break;
@@ -123,11 +139,19 @@ impl Ladder {
             last = took;
             let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
             let enough = evaluations.is_some_and(|n| n > ENOUGH) && k >= FEWEST;
-            if k + 1 < RUNGS && (enough || last.mul_f64(growth) > allowed * RUNS as u32) {
+            // Where somebody counts, time is no measure: it goes by what else the machine does.
+            let allowed = if evaluations.is_some() { patience } else { patience / 4 };
+            if k + 1 < rungs && (enough || last.mul_f64(growth) > allowed * RUNS as u32) {
                 let at = ladder.rungs.last().map_or(0.0, |rung| rung.tolerance);
                 ladder.ended = Some(format!("smaller tolerances than {at:.0e} take too long"));
                 break;
             }
+        }
+        // What single precision makes of an error is measured: the most that rounding may make is
+        // far more.
+        if asked.scenes.coarser() > 1.0 {
+            let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
+            ladder.rungs.iter_mut().for_each(|rung| rung.rounding = rung.rounding.min(least));
         }
         // What does not grow as the tolerance falls is no count of evaluations.
         let counts = |rung: Option<&Rung>| rung.and_then(|rung| rung.evaluations);
@@ -217,6 +241,19 @@ impl Ladder {
             return Ok(error);
         }
         Err(Trouble::NoAnswer("no run is accurate enough to tell".to_string()))
+    }
+
+    /// The same of states between steps.
+    pub fn usual_between(&self) -> Measured<f64> {
+        Ok(libm::fmaximum(self.usual_error()?, self.between_at(self.usual())))
+    }
+
+    /// What the error of a state between the steps of a run with this tolerance may be (rad): that
+    /// of the run, or, where outputs are claimed to be worse, that of those.
+    pub fn between_at(&self, tolerance: f64) -> f64 {
+        let near = |it: &&(f64, f64)| (libm::log10(it.0 / tolerance)).abs() < 1.1;
+        let outputs = self.outputs.iter().filter(near).map(|it| it.1);
+        outputs.fold(self.error_at(tolerance), libm::fmaximum)
     }
 
     /// What the error of a run with this tolerance may be: the largest at it and at its neighbours.
@@ -328,7 +365,7 @@ mod tests {
             let slow = Slow { patience, answer, state, clock };
             judge_solver(&slow, Claims::order(8))
         };
-        let report = judged(40, 11, 0);
+        let report = judged(40, 41, 0);
         assert_eq!(report.evidence.tolerances.len(), 1, "{report}");
         assert_eq!(report.verdict, Verdict::NotMeasured, "{report}");
         assert_eq!(report.failures().next(), None, "{report}");

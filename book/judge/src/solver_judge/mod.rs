@@ -23,6 +23,8 @@ use outputs::Outputs;
 pub(crate) use outputs::PARTS;
 use steps::Ours;
 
+use crate::forward::Forward;
+use crate::judge::claims::of_degree;
 use crate::judge::verdict::{Measured, Trouble};
 use crate::property::Property;
 use crate::solver::Solver;
@@ -60,7 +62,11 @@ pub fn try_judge_solver(solver: &dyn Solver, claims: Claims) -> Result<Report, F
     if solver.solve(&asked::first()) == Err(Fault::Unsupported) {
         return Err(Fault::Unsupported);
     }
-    let report = judge_in(solver, &claims, Scenes::USUAL)?;
+    let forward = Forward(solver);
+    let asked: &dyn Solver = if claims.forward_only { &forward } else { solver };
+    let usual = Scenes::USUAL;
+    let scenes = if claims.single_precision { usual.in_single() } else { usual };
+    let report = judge_in(asked, &claims, scenes)?;
     Ok(report.without_word("pendulum", claims.of_steps()))
 }
 
@@ -129,7 +135,7 @@ fn take_all(
     report: &mut Report,
     claims: &Claims,
     asked: Asked<'_>,
-    ladder: Ladder,
+    mut ladder: Ladder,
 ) -> Measured<Found> {
     let implied = || claims.implied();
     // What a solver need not have: claimed by implication where it has it.
@@ -144,15 +150,21 @@ fn take_all(
     report.note(Property::Order, power(claims.order), steps::order(&ladder, claims.order))?;
     report.note(Property::Precision, implied(), Ok(steps::precision(&ladder)))?;
     let outputs = Outputs::of(asked, &ladder);
-    report.note(Property::Output, implied(), finding(&outputs, Outputs::finding))?;
+    let found = outputs.as_ref().map(|outputs| outputs.finding(claims.outputs));
+    let claimed = claims.outputs.map(of_degree).or_else(implied);
+    report.note(Property::Output, claimed, found.map_err(Trouble::clone))?;
+    if let (Some(_), Ok(outputs)) = (claims.outputs, &outputs) {
+        ladder.outputs = outputs.errors();
+    }
     let free = claims.free_outputs.then(|| "free".to_string()).or_else(implied);
     report.note(Property::FreeOutputs, free, rows::free(asked, &ladder, claims.free_outputs))?;
-    report.note(Property::Rows, implied(), rows::all(asked, &ladder))?;
+    report.note(Property::Rows, implied(), rows::all(asked, &ladder, claims.forward_only))?;
     let passages = Passages::of(asked, &ladder);
     let found = finding(&passages, Passages::finding);
     let claimed = claims.crossings.then(|| Property::Crossings.to_string()).or(if_had(&found));
     report.note(Property::Crossings, claimed, found)?;
-    report.note(Property::Back, implied(), same::back(asked, &ladder))?;
+    let both_ways = implied().filter(|_| !claims.forward_only);
+    report.note(Property::Back, both_ways, same::back(asked, &ladder))?;
     report.note(Property::Start, implied(), same::start(asked, &ladder))?;
     report.note(Property::Units, implied(), same::units(asked, &ladder))?;
     report.note(Property::Mirror, implied(), same::mirror(asked, &ladder))?;
@@ -170,8 +182,8 @@ fn take_all(
         outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
     report.departure = equation::departure(asked, &ladder);
     let halfway = halfway(asked, &ladder);
-    let refusal = refusal::finding(asked);
-    report.note(Property::Refusal, if_had(&refusal), refusal)?;
+    let refuses = claims.refuses.then(|| "refuses".to_string());
+    report.note(Property::Refusal, refuses, refusal::finding(asked, claims.refuses))?;
     let (passages, driven) = (passages.ok(), driven.ok());
     Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
 }
@@ -213,6 +225,7 @@ mod tests {
             g_over_l,
             starts: [swing(1, 1.0, 2.6), swing(3, 0.1, 1.5), Phase { theta, omega: speed }],
             duration: between(7, 25.0, 50.0) / frequency,
+            epsilon: f64::EPSILON,
         }
     }
 

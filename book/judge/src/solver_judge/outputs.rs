@@ -2,6 +2,7 @@
 
 use super::asked::{self, Asked, Power, evenly, largest_of, power, single};
 use super::ladder::Ladder;
+use super::steps::by_claim;
 use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Verdict};
@@ -79,6 +80,8 @@ impl Outputs {
         }
         // A start that is handed out again and again may be a number of any precision.
         outputs.single &= outputs.compared.iter().any(|it| it.outputs < SINGLE);
+        // Of a solver in single precision they may be.
+        outputs.single &= asked.scenes.coarser() == 1.0;
         let worse = outputs.ratios().filter(|(ratio, _)| *ratio > WORSE);
         let tightest = worse.last().map(|(_, it)| *it);
         if let Some(worse) = tightest {
@@ -93,6 +96,11 @@ impl Outputs {
             outputs.degree = degree(asked, ladder)?;
         }
         Ok(outputs)
+    }
+
+    /// The tolerances, and the largest errors of outputs (rad).
+    pub fn errors(&self) -> Vec<(f64, f64)> {
+        self.compared.iter().map(|it| (it.tolerance, it.outputs)).collect()
     }
 
     /// What the error of outputs with this tolerance may be (rad): the largest at it and at its
@@ -151,8 +159,9 @@ impl Outputs {
         format!("{what}{}{}.", on.unwrap_or_default(), falls.unwrap_or_default())
     }
 
-    /// What is to be said of them.
-    pub fn finding(&self) -> Finding {
+    /// What is to be said of them: that they are as good as the steps, or, where it is claimed that
+    /// they come from polynomials of a `degree`, that their error falls as that of those.
+    pub fn finding(&self, degree: Option<u32>) -> Finding {
         let Some((ratio, worst)) = self.worst() else {
             return Finding::nothing("no run is accurate enough to tell".to_string());
         };
@@ -171,16 +180,39 @@ impl Outputs {
             };
         }
         let verdict = Verdict::of(ratio, HOLDS, WORSE);
-        let power =
-            self.power().map(|power| format!("; they fall with the power {}", in_words(power)));
+        let (worse, power) = (verdict != Verdict::Holds, self.power());
+        let verdict = match (degree, power) {
+            (Some(degree), Some(power)) if worse => match power.value > f64::from(degree + 1) {
+                true => Verdict::Holds,
+                false => by_claim(power, degree + 1),
+            },
+            // Nobody counts, or too few tolerances tell.
+            (Some(_), None) if worse => Verdict::Unclear,
+            _ => verdict,
+        };
+        let falls = |power| format!("; they fall with the power {}", in_words(power));
+        let power = power.map(falls).filter(|_| degree.is_some() || verdict == Verdict::Fails);
         let measured = format!(
             "the worst of {OUTPUTS} states between steps is off by {} rad, the steps by {}, at a \
              tolerance of {}{}",
             scientific(outputs),
             scientific(steps),
             about(tolerance),
-            power.filter(|_| verdict == Verdict::Fails).unwrap_or_default()
+            power.unwrap_or_default()
         );
+        if let (Some(degree), true) = (degree, worse) {
+            let why = format!(
+                "from polynomials of degree {degree} they fall with the power {} of the step, which \
+                 is as that of 1/evaluations",
+                degree + 1
+            );
+            return Finding {
+                measurement: Measurement::Said { measured, why },
+                values: vec![ratio],
+                verdict,
+                ..Finding::default()
+            };
+        }
         let why = format!(
             "{} times worse than its steps, and than its outputs at looser tolerances are for \
              theirs; up to {HOLDS:.0} may be chance",

@@ -8,11 +8,11 @@ use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 
-/// By what an interpolant may miss the end of its own step, relative to the state: it is a sum of
+/// By how many ε an interpolant may miss the end of its own step, relative to the state: it is a sum of
 /// some ten terms, each up to ten times the state, as coefficients of high order are large and have
 /// both signs, and rounded by ε/2; their factors round as much again. A step that was moved changes
 /// the end by a part of the tolerance, which is thousands of times more.
-const ROUNDED: f64 = 100.0 * f64::EPSILON;
+const ROUNDED: f64 = 100.0;
 
 /// Whether a run ends in the same state with outputs and without; where it is claimed that they are
 /// free, but for rounding.
@@ -26,7 +26,8 @@ pub fn free(asked: Asked<'_>, ladder: &Ladder, claimed: bool) -> Measured<Findin
     let bound = 10.0 * ladder.usual_error()?;
     let largest = ends[0].theta.abs().max(ends[0].omega.abs() / asked.scenes.frequency());
     let to_the_bit = ends[0] == ends[1];
-    let same = to_the_bit || asked.scenes.apart(ends[0], ends[1]) <= ROUNDED * largest;
+    let same = to_the_bit
+        || asked.scenes.apart(ends[0], ends[1]) <= ROUNDED * asked.scenes.epsilon * largest;
     let more = match replies.map(|reply| reply.evaluations) {
         [Some(without), Some(with)] if ladder.counts() => with as f64 / without as f64,
         _ => 1.0,
@@ -73,16 +74,21 @@ const ROWS: [(&str, &[f64]); 5] = [
     ("times of a run backwards", &[0.0, -0.3, -0.3, -1.0]),
 ];
 
-/// And a thousand times within a step, so far apart.
+/// And a thousand times within a step, so far apart; in single precision, whose time has fewer digits,
+/// ten thousand times as far.
 const CLOSE: f64 = 1e-10;
+const CLOSE_SINGLE: f64 = 1e-6;
 
-/// Whether there are as many rows as were asked for, each at its time.
-pub fn all(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
-    let bound = 10.0 * ladder.usual_error()?;
+/// Whether there are as many rows as were asked for, each at its time; of a solver that runs
+/// `forward_only`, of runs forward.
+pub fn all(asked: Asked<'_>, ladder: &Ladder, forward_only: bool) -> Measured<Finding> {
+    let bound = 10.0 * ladder.usual_between()?;
     let (mut wrong, mut refused, mut worst) = (Vec::new(), Vec::new(), 0.0);
-    let close: Vec<f64> = (0..1000).map(|k| 0.5 + CLOSE * f64::from(k)).collect();
+    let close = if asked.scenes.coarser() > 1.0 { CLOSE_SINGLE } else { CLOSE };
+    let close: Vec<f64> = (0..1000).map(|k| 0.5 + close * f64::from(k)).collect();
     let within = ("a thousand times within a step", &close[..]);
-    for (name, times) in ROWS.into_iter().chain([within]) {
+    let possible = |times: &[f64]| !(forward_only && times.iter().any(|time| *time < 0.0));
+    for (name, times) in ROWS.into_iter().chain([within]).filter(|it| possible(it.1)) {
         let times: Vec<f64> = times.iter().map(|part| part * asked.scenes.duration).collect();
         match asked.errors(&ladder.run(asked.scenes.starts[0]).to(&times)) {
             Ok(errors) => {
@@ -92,7 +98,7 @@ pub fn all(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
                     wrong.push(format!("{name}: off by {} rad", scientific(largest)));
                 }
             }
-            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            Err(trouble @ (Trouble::Broken(_) | Trouble::Lost(_))) => return Err(trouble),
             Err(Trouble::NoAnswer(why)) => refused.push(format!("{name}: {why}")),
             Err(trouble) => wrong.push(format!("{name}: {trouble}")),
         }
@@ -130,7 +136,7 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     if in_time && !slow(tenth, took) {
         match timed(MANY) {
             // Then it is judged by fewer.
-            Err(Trouble::NoAnswer(_)) => {}
+            Err(Trouble::NoAnswer(_) | Trouble::Lost(_)) => {}
             found => {
                 (count, tenth) = (MANY, took);
                 (took, errors) = found?;
@@ -154,7 +160,7 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
             took = timed(count)?.0;
         }
     }
-    let (largest, bound) = (largest_of(errors), 10.0 * ladder.usual_error()?);
+    let (largest, bound) = (largest_of(errors), 10.0 * ladder.usual_between()?);
     let (verdict, measured) = match slow(tenth, took) {
         true => {
             let ratio = took / tenth.max(1e-9);

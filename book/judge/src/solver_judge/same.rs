@@ -45,22 +45,28 @@ pub fn back(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
 
 /// How far from zero time begins (s).
 const FAR: f64 = 1e6;
+/// And in single precision, where t has steps of 8·10⁻⁶ s there.
+const FAR_SINGLE: f64 = 100.0;
 
-/// Runs that begin at t₀ = ±10⁶ s. Each step rounds t there by half a unit in the last place, and
+/// Runs that begin at t₀ = ±10⁶ s, or ±100 s in single precision. Each step rounds t there by half a unit in the last place, and
 /// always alike if the steps are; the state moves no faster than at the bottom.
 pub fn start(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
-    let Scenes { g_over_l, starts, duration } = asked.scenes;
+    let Scenes { g_over_l, starts, duration, epsilon } = asked.scenes;
+    let (far, from) = match asked.scenes.coarser() > 1.0 {
+        true => (FAR_SINGLE, "from t₀ = ±100 s on"),
+        false => (FAR, "from t₀ = ±10⁶ s on"),
+    };
     let rung = ladder.rungs.iter().find(|rung| rung.tolerance < 1.1 * ladder.usual());
     let steps = rung.map_or(0.0, |rung| rung.a_run() as f64);
     let fastest = starts.into_iter().map(|z| {
         let height = 2.0 * libm::sin(0.5 * z.theta);
         libm::sqrt(z.omega * z.omega + g_over_l * height * height)
     });
-    let clock = steps * 0.5 * f64::EPSILON * FAR * fastest.fold(0.0, f64::max);
-    let [later, earlier] = [FAR, -FAR]
+    let clock = steps * 0.5 * epsilon * far * fastest.fold(0.0, f64::max);
+    let [later, earlier] = [far, -far]
         .map(|from| largest(asked, |start| ladder.run(start).from(from).to(&[from + duration])));
     let error = libm::fmaximum(later?, earlier?);
-    off(ladder, "from t₀ = ±10⁶ s on", error, 10.0 * ladder.usual_error()? + clock)
+    off(ladder, from, error, 10.0 * ladder.usual_error()? + clock)
 }
 
 /// How many times as fast, and as slow, time is counted.

@@ -117,12 +117,14 @@ static USUAL: LazyLock<Ours> = LazyLock::new(|| Ours::run(Scenes::USUAL));
 impl Ours {
     /// Those of these scenes.
     pub fn of(scenes: Scenes) -> Cow<'static, Self> {
+        let scenes = Scenes { epsilon: f64::EPSILON, ..scenes };
         if scenes == Scenes::USUAL { Cow::Borrowed(&USUAL) } else { Cow::Owned(Self::run(scenes)) }
     }
 
     fn run(scenes: Scenes) -> Self {
         let of = |solver: &dyn Solver| {
-            let nothing = Ladder { scenes, rungs: Vec::new(), ended: None, miscount: None };
+            let (rungs, outputs) = Default::default();
+            let nothing = Ladder { scenes, rungs, ended: None, outputs, miscount: None };
             Ladder::of(Asked { solver, scenes }).unwrap_or(nothing)
         };
         Self {
@@ -193,7 +195,7 @@ fn above(claimed: u32) -> f64 {
     0.5 + 0.25 * f64::from(claimed)
 }
 
-fn by_claim(power: Power, claimed: u32) -> Verdict {
+pub fn by_claim(power: Power, claimed: u32) -> Verdict {
     let off = power.value - f64::from(claimed);
     let (lower, upper) = (below(claimed), above(claimed));
     // An order is a whole number: half of one is the most that a poor line excuses.
@@ -241,10 +243,20 @@ pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     })
 }
 
-/// The smallest error that it comes to.
+/// The smallest error that it comes to; of a solver in single precision, whether rounding can make it.
 pub fn precision(ladder: &Ladder) -> Finding {
     let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
     let ends: Vec<_> = ladder.rungs.iter().flat_map(|rung| rung.ends).collect();
+    if let (true, Some(last)) = (ladder.scenes.coarser() > 1.0, ladder.rungs.last()) {
+        let bound = ladder.scenes.rounding(last.a_run());
+        let verdict = Verdict::of(least, bound, 10.0 * bound);
+        let measured = format!("off by {} rad at best", scientific(least));
+        let why = format!("in single precision rounding may make {} of it", about(bound));
+        return Finding {
+            measurement: Measurement::Said { measured, why },
+            ..Finding::number(least, "rad", bound, verdict)
+        };
+    }
     let (verdict, what) = match single(&ends) {
         true => (Verdict::Fails, "its states are numbers of single precision, "),
         false => (Verdict::Holds, ""),

@@ -12,7 +12,9 @@ impl Finding {
     pub fn measured(&self) -> String {
         let first = self.values.first().copied().unwrap_or(f64::NAN);
         match &self.measurement {
-            Measurement::Nothing | Measurement::NotHad(Trouble::NoAnswer(_)) => "–".to_string(),
+            Measurement::Nothing | Measurement::NotHad(Trouble::NoAnswer(_) | Trouble::Lost(_)) => {
+                "–".to_string()
+            }
             Measurement::NotHad(trouble) => trouble.to_string(),
             Measurement::RightRates | Measurement::StepsOf(_) => RIGHT.to_string(),
             Measurement::OtherEquation(departure) => match departure.equation() {
@@ -77,7 +79,7 @@ impl Finding {
         let bound = self.bound.unwrap_or(f64::NAN);
         match &self.measurement {
             Measurement::Nothing | Measurement::AsAsked => String::new(),
-            Measurement::NotHad(Trouble::NoAnswer(why)) => why.clone(),
+            Measurement::NotHad(Trouble::NoAnswer(why) | Trouble::Lost(why)) => why.clone(),
             Measurement::NotHad(trouble) => trouble.to_string(),
             Measurement::RightRates => format!(
                 "The rates of angle and velocity are the pendulum's at fourteen states, to within \

@@ -160,6 +160,10 @@ impl Solver for Recording<'_> {
         self.solver.patience()
     }
 
+    fn may_hang(&self) -> bool {
+        self.solver.may_hang()
+    }
+
     fn clock(&self) -> Duration {
         self.solver.clock()
     }
@@ -251,5 +255,9 @@ impl Solver for Recorded<'_> {
     /// Nobody waits for it.
     fn patience(&self) -> Duration {
         Duration::from_secs(1_000_000)
+    }
+
+    fn may_hang(&self) -> bool {
+        true
     }
 }

@@ -72,8 +72,8 @@ pub struct WrongSolver {
 /// The wrong solvers, after the two right ones of which they are made.
 pub fn wrong_solvers() -> Vec<WrongSolver> {
     use Slip::*;
-    const FIVE: &str = "order=5 estimate=5 free-outputs crossings";
-    const EIGHT: &str = "order=8 estimate=8 free-outputs crossings";
+    const FIVE: &str = "order=5 estimate=5 free-outputs crossings refuses";
+    const EIGHT: &str = "order=8 estimate=8 free-outputs crossings refuses";
     let of = |name, solver| WrongSolver { name, claims: FIVE, solver };
     let pair =
         |name, pair: Pair| of(name, Box::new(Slipping::new(pair, Nothing)) as Box<dyn Solver>);

@@ -138,7 +138,7 @@ impl Served {
 fn refuse(fault: Fault, out: &mut dyn Write) -> io::Result<()> {
     match fault {
         Fault::Unsupported => writeln!(out, "unsupported"),
-        Fault::Refused(why) | Fault::Broken(why) => writeln!(out, "error {why}"),
+        Fault::Refused(why) | Fault::Lost(why) | Fault::Broken(why) => writeln!(out, "error {why}"),
         fault => writeln!(out, "error {fault}"),
     }
 }

@@ -10,7 +10,9 @@ use std::time::Duration;
 use anyhow::Context;
 use clap::{Args, ValueEnum};
 use pendula_judge::formats::{self, Judged};
-use pendula_judge::{Claims, Fault, Program, Report, Verdict, try_judge, try_judge_solver};
+use pendula_judge::{
+    Claims, Fault, Finding, Program, Report, Verdict, try_judge, try_judge_solver,
+};
 
 use super::number::number;
 use super::output::{Destination, Stream, is_lost};
@@ -24,11 +26,14 @@ use crate::verify::page;
 pub struct Arguments {
     /// The claims, separated by spaces. For any integrator: order=P. For one with fixed steps:
     /// symplectic, symmetric, evaluations=N (per step), bounded-energy, name=METHOD. For a solver
-    /// with a tolerance: estimate=Q, free-outputs, crossings
+    /// with a tolerance: estimate=Q, free-outputs, crossings, refuses (a tolerance of zero and the
+    /// like end in an error), outputs=N (outputs come from polynomials of degree N). Of what cannot
+    /// do all of it: forward-only, single-precision
     #[arg(long, value_name = "CLAIMS", default_value_t, hide_default_value = true)]
     claims: Claims,
     /// How long to wait for each answer (s). The limit for all answers together is 120 times as
-    /// long, once for fixed steps and once for a solver
+    /// long, once for fixed steps and once for a solver. A program whose answer is late is started
+    /// again, until that has taken 20 times as long
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = number)]
     patience: f64,
     /// How the report is printed
@@ -41,6 +46,9 @@ pub struct Arguments {
     /// language. The report follows after bye
     #[arg(long, conflicts_with_all = ["program", "example"])]
     stdio: bool,
+    /// The parent process ends what takes longer than --patience by itself, and answers in its place
+    #[arg(long, hide = true, requires = "stdio")]
+    watched: bool,
     /// Also write the report with its figures to this file, as a page that can be read offline
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -133,20 +141,18 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         destination.apart_from("--report", Stream::Output)?;
     }
     let patience = Duration::from_secs_f64(seconds);
-    let judged = match streams(arguments)? {
+    let program = match streams(arguments)? {
         Some((answers, questions)) => {
             let program = Program::at_streams(answers, questions, patience, interrupt::flag());
-            program.and_then(|program| judged(program, Program::again, &arguments.claims))
-        }
-        None => {
-            let start = || Program::start_until(&arguments.program, patience, interrupt::flag());
-            let anew = |program| {
-                drop(program);
-                start()
+            let watched = |program: Program| match arguments.watched {
+                true => program.watched(),
+                false => program,
             };
-            start().and_then(|program| judged(program, anew, &arguments.claims))
+            program.map(watched)
         }
+        None => Program::start_until(&arguments.program, patience, interrupt::flag()),
     };
+    let judged = program.and_then(|program| judged(program, &arguments.claims));
     // Here the program has been ended, which an interruption does not reach by itself.
     if interrupt::flag().load(Ordering::Relaxed) {
         return Err(Failure::refused("interrupted"));
@@ -188,26 +194,43 @@ fn streams(arguments: &Arguments) -> Result<Option<(io::Stdin, File)>, Failure> 
     streams.map_err(|error| Failure::refused(format!("standard output cannot be written: {error}")))
 }
 
-/// The report on `program`, and the name that it gives itself. For what it was not asked yet it is
-/// had `anew`.
-fn judged(
-    program: Program,
-    anew: impl FnOnce(Program) -> Result<Program, String>,
-    claims: &Claims,
-) -> Result<(Report, String), String> {
-    let name = program.name().to_string();
-    let known = [program.knows_pendulum().map_err(why)?, program.knows_solve().map_err(why)?];
-    let report = match known {
-        [false, true] => try_judge_solver(&program, claims.clone()),
-        _ => try_judge(&program, claims.clone()),
+/// The report on `program`, and the name that it gives itself; or why there is none, where nothing
+/// can be measured.
+fn judged(program: Program, claims: &Claims) -> Result<(Report, String), String> {
+    let (name, command) = (program.name().to_string(), program.command().to_string());
+    let none = |fault: Fault| format!("{command}: {}", why(fault));
+    let known = [program.knows_pendulum(), program.knows_solve()];
+    let at_fault = match &known[0] {
+        Err(Fault::Lost(why) | Fault::Refused(why)) => Some(why.clone()),
+        _ => None,
     };
-    let report = report.map_err(why)?;
-    if known != [true, true] {
-        return Ok((report, name));
+    let report = match known.into() {
+        (Err(fault @ Fault::Broken(_)), _) | (_, Err(fault @ Fault::Broken(_))) => {
+            return Err(none(fault));
+        }
+        (Err(Fault::Unsupported), Err(Fault::Unsupported)) => {
+            return Err(format!("{command}: it knows neither pendulum nor solve"));
+        }
+        // It may say in any way that it does not know a word: one may say so, and the other be at
+        // fault.
+        (Err(Fault::Unsupported), Err(fault)) | (Err(fault), Err(_)) => return Err(none(fault)),
+        (Ok(()), Err(_)) => try_judge(&program, claims.clone()).map_err(none)?,
+        (Err(_), Ok(())) => try_judge_solver(&program, claims.clone()).map_err(none)?,
+        (Ok(()), Ok(())) => {
+            let report = try_judge(&program, claims.clone()).map_err(none)?;
+            // With as much time again.
+            let solver = try_judge_solver(&program.again()?, claims.clone()).map_err(none)?;
+            report.joined_with_solver(solver)
+        }
+    };
+    let is_measured = |finding: &Finding| finding.verdict != Verdict::NotMeasured;
+    match report.findings.first() {
+        Some(first) if !report.findings.iter().any(is_measured) => {
+            let why = at_fault.unwrap_or_else(|| first.why.clone());
+            Err(format!("{command}: nothing could be measured: {why}"))
+        }
+        _ => Ok((report, name)),
     }
-    // Again, with as much time: the first may have been ended by numbers that overflow.
-    let solver = try_judge_solver(&anew(program)?, claims.clone()).map_err(why)?;
-    Ok((report.joined_with_solver(solver), name))
 }
 
 /// The answer to a verdict, whose report has been printed so.
@@ -259,7 +282,7 @@ fn print(arguments: &Arguments, judged: &Judged<'_>, out: &mut dyn Write) -> io:
 /// What a program did.
 fn why(fault: Fault) -> String {
     match fault {
-        Fault::Refused(why) | Fault::Broken(why) => why,
+        Fault::Refused(why) | Fault::Lost(why) | Fault::Broken(why) => why,
         other => other.to_string(),
     }
 }

@@ -75,7 +75,9 @@ pub fn from(
         match coefficients(probe, starts, g_over_l, after, longest) {
             Ok(found) => told.push(found),
             // An implicit method may have no solution in a long step.
-            Err(trouble @ (Trouble::NoAnswer(_) | Trouble::NotFinite)) => refused = Some(trouble),
+            Err(trouble @ (Trouble::NoAnswer(_) | Trouble::Lost(_) | Trouble::NotFinite)) => {
+                refused = Some(trouble)
+            }
             Err(trouble) => return Err(trouble),
         }
     }

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use pendula::Phase;
 use pendula_judge::{
     Claims, CrossingsRequest, Drive, Fault, Program, Request, SolveRequest, Solver, Stranger,
-    try_judge_solver,
+    Verdict, try_judge_solver,
 };
 use rstest::rstest;
 use tempfile::TempDir;
@@ -116,14 +116,14 @@ fn runs(number: &str) -> bool {
 
 /// What is wrong with the reply.
 #[track_caller]
-fn broken(program: &Program, request: &Request) -> String {
-    why_broken(program.answer(request))
+fn none(program: &Program, request: &Request) -> String {
+    why_none(program.answer(request))
 }
 
 #[track_caller]
-fn why_broken<T: Debug>(reply: Result<T, Fault>) -> String {
+fn why_none<T: Debug>(reply: Result<T, Fault>) -> String {
     match reply {
-        Err(Fault::Broken(why)) => why,
+        Err(Fault::Lost(why) | Fault::Refused(why)) => why,
         other => panic!("{other:?}"),
     }
 }
@@ -224,8 +224,8 @@ const OVER_CROSSINGS: [&str; 9] = [
 fn told_of<T: Debug>(rest: &str, ask: impl Fn(&Program) -> Result<T, Fault>) -> String {
     let script = Script::greeting(rest);
     let program = script.started(patience(rest));
-    let why = why_broken(ask(&program));
-    assert_eq!(why_broken(ask(&program)), why);
+    let why = why_none(ask(&program));
+    assert_eq!(why_none(ask(&program)), why);
     assert!(!why.contains(char::is_control) && why.len() < 1000, "{why:?}");
     script.leaves_nothing();
     why.replace(script.0.path().to_str().unwrap(), "FOLDER") + "\n"
@@ -246,11 +246,16 @@ fn a_fault_of_a_solver_is_told_in_one_line() {
     insta::assert_snapshot!(told.concat());
 }
 
-/// Catches: a judge of solvers that takes a broken protocol for a refusal, goes on asking, or does
-/// not say what came; a program that knows no solvers taken for one at fault.
+/// Catches: a judge of solvers that holds an answer which breaks the protocol for one, goes on
+/// asking, or does not say what came; a program that knows no solvers taken for one at fault.
 #[test]
-fn the_judge_of_solvers_stops_at_a_fault() {
+fn the_judge_of_solvers_tells_a_fault() {
     let judged = |program: &Program| try_judge_solver(program, Claims::order(5).crossings());
+    let tolerance = |program: &Program| -> Result<(), Fault> {
+        let report = judged(program)?;
+        assert!(report.findings.iter().all(|it| it.verdict == Verdict::NotMeasured), "{report}");
+        Err(Fault::Lost(report.finding("tolerance").unwrap().why.clone()))
+    };
     for (rest, because) in [
         ("exec sleep 1000 # given up", "given up after 3 s"),
         ("exec yes 0.5 0.5", "and does not say done"),
@@ -258,7 +263,7 @@ fn the_judge_of_solvers_stops_at_a_fault() {
         ("echo done 7\ncat", "\"done 7\" came: it has sent 0 of"),
         ("echo nan nan\ncat", "\"nan nan\" came: θ is not finite"),
     ] {
-        let why = told_of(rest, judged);
+        let why = told_of(rest, tolerance);
         assert!(why.contains(because) && why.contains("asked \"solve "), "{why}");
     }
     let script = Script::greeting("echo unsupported\nread -r line");
@@ -299,7 +304,7 @@ fn a_long_question_does_not_keep_the_judge() {
         (600.0, "echo 1 2\necho done\ncat > /dev/null", "it has sent 1 of 100000 states"),
     ] {
         let script = Script::new(&format!("read -r line\necho hello 1 x\n{then}"));
-        let why = why_broken(script.started(patience).solve(&request));
+        let why = why_none(script.started(patience).solve(&request));
         let is_told = why.contains(because) || why.contains("before the question");
         assert!(is_told && why.contains("asked \"solve 9.81 2.0 0.0 0.0 1e-8 3.3"), "{why}");
         assert!(why.len() < 1000, "{why}");
@@ -308,21 +313,26 @@ fn a_long_question_does_not_keep_the_judge() {
 }
 
 /// Catches: patience for the first request alone, or for each line instead of each answer; a
-/// second question to a program that has been ended; another reason the second time.
+/// question that was not answered asked again; a program that is not begun anew for another.
 #[test]
 fn a_program_that_hangs_at_a_later_request() {
     let later = || {
         let script = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
         let program = script.started(3.0);
         assert_eq!(program.answer(&request(0.1, 1)).unwrap().evaluations, Some(2));
-        let why = broken(&program, &request(0.1, 1));
+        let why = none(&program, &request(0.1, 1));
         assert!(why.contains("given up after 3 s, without an answer"), "{why}");
         script.leaves_nothing();
-        assert_eq!(broken(&program, &request(0.2, 1)), why);
+        assert_eq!(none(&program, &request(0.1, 1)), why);
+        assert_eq!(script.numbers().len(), 1);
+        assert_eq!(program.answer(&request(0.2, 1)).unwrap().evaluations, Some(2));
+        assert_eq!(script.numbers().len(), 2);
+        drop(program);
+        script.leaves_nothing();
     };
     let trickle = || {
         let script = Script::greeting("while :; do echo 0.5 0.5; sleep 0.1; done");
-        let why = broken(&script.started(3.0), &request(0.1, 1000));
+        let why = none(&script.started(3.0), &request(0.1, 1000));
         assert!(why.contains("given up after 3 s, with "), "{why}");
         script.leaves_nothing();
     };
@@ -358,7 +368,7 @@ fn a_program_may_refuse_and_go_on() {
         thread::sleep(Duration::from_millis(5));
     }
     thread::sleep(Duration::from_secs(1));
-    let why = broken(&program, &request(0.1, 1));
+    let why = none(&program, &request(0.1, 1));
     assert!(why.contains("\"0.5 0.5\" came: it was there before the question"), "{why}");
     script.leaves_nothing();
 }

@@ -1,5 +1,7 @@
 //! Judging a program that is not ours: the command, programs that work, and programs that do not.
 
+#[cfg(unix)]
+mod anew;
 mod extremes;
 #[cfg(unix)]
 mod faults;
@@ -32,6 +34,15 @@ fn judged(options: &[&str], program: &[&str]) -> (i32, Value) {
         .unwrap_or_else(|error| panic!("{error}: {output:?}"));
     assert_valid(&report);
     (status, report)
+}
+
+/// The property of this name, of which there is one.
+#[track_caller]
+fn property<'r>(report: &'r Value, name: &str) -> &'r Value {
+    let properties = report["properties"].as_array().unwrap();
+    let mut those = properties.iter().filter(|property| property["name"] == name);
+    let (Some(property), None) = (those.next(), those.next()) else { panic!("{name}: {report:#}") };
+    property
 }
 
 /// The program of these words, started, with this patience (s).

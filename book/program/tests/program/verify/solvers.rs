@@ -7,16 +7,7 @@ use roxmltree::Document;
 use rstest::rstest;
 use serde_json::Value;
 
-use super::{PATIENT, PENDULA, judged, pendula};
-
-/// The property of this name, of which there is one.
-#[track_caller]
-fn property<'r>(report: &'r Value, name: &str) -> &'r Value {
-    let properties = report["properties"].as_array().unwrap();
-    let mut those = properties.iter().filter(|property| property["name"] == name);
-    let (Some(property), None) = (those.next(), those.next()) else { panic!("{name}: {report:#}") };
-    property
-}
+use super::{PATIENT, PENDULA, judged, pendula, property};
 
 const SERVED: [&str; 3] = [PENDULA, "serve", "dop853"];
 

@@ -40,11 +40,14 @@ for line in sys.stdin:
     word, *numbers = line.split()
     asked += 1
     if word == "hello":
-        print("hello 1", name)
+        # A name, and below a reason, that are markup in one format or another.
+        print("hello 1", '<script>&"\001|*x*' if name == "picky" else name)
     elif name == "error" and word != "bye" or name == "error-later" and asked > 7:
         print("error the table is empty")
     elif name == "unsupported" and word != "bye":
         print("unsupported")
+    elif name == "picky" and not 0 < float(numbers[-3]) < 0.03:
+        print("error ]]><b>a | b")
     elif word in ("pendulum", "driven"):
         g, *rest = map(float, numbers[:-2])
         a, w = (rest.pop(0), rest.pop(0)) if word == "driven" else (0.0, 0.0)
