@@ -76,7 +76,7 @@ fn work_against_precision_is_printed_and_drawn() {
     assert_refused(&["bench", "--output", "/no/such/folder"], "--output");
     let folder = tempfile::tempdir().unwrap();
     let run = ["--output", folder.path().to_str().unwrap()];
-    let text = bench(&run, 3_000);
+    let text = bench(&run, 1_000);
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let headings = text.lines().find(|line| line.starts_with("Method")).unwrap();
     let headings = headings.split("  ").map(str::trim).filter(|name| !name.is_empty());
@@ -107,7 +107,7 @@ fn work_against_precision_is_printed_and_drawn() {
     assert!(METHODS.iter().all(|method| svg.contains(method.info().title)));
     assert_eq!(svg.matches("class=\"axis\"").count(), 3);
     assert!(svg.contains(&format!("run time (s), {}", rows[1][7])) && !svg.contains("\n\n"));
-    let objects = bench(&[&run[..], &["--format", "json"]].concat(), 1000);
+    let objects = bench(&[&run[..], &["--format", "json"]].concat(), 300);
     let objects: Value = serde_json::from_str(&objects).unwrap();
     let csv = fs::read_to_string(folder.path().join("work-precision.csv")).unwrap();
     let objects = objects.as_array().unwrap();

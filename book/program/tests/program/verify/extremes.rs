@@ -8,7 +8,7 @@ use pendula_judge::{
 use pendula_program::verify::page;
 use rstest::rstest;
 
-use super::{assert_valid, judged};
+use super::{assert_valid, judged, request, started};
 use crate::{PENDULA, assert_refused};
 
 /// Fails unless the report is written in each form.
@@ -89,30 +89,30 @@ fn a_report_on_a_solver_is_written_whatever_is_measured(#[case] solver: Box<dyn 
     }
 }
 
-/// A program that answers each request with as many states as it asks for, all of them `state`.
+/// A program that answers each request with as many states as it asks for, by turns huge and
+/// subnormal. What the judge makes of states that are all of one kind is asked above, without a
+/// program.
 #[cfg(unix)]
-fn script(state: &str) -> [String; 3] {
-    let text = format!(
-        "read -r line; echo hello 1; while read -r kind g a w h n k; do \
-           case $kind in \
-             pendulum) yes '{state}' | head -n $((n / k)); echo done 18446744073709551615;; \
-             bye) exit;; \
-             *) echo unsupported;; \
-           esac; \
-         done"
-    );
-    ["sh".to_string(), "-c".to_string(), text]
-}
+const BY_TURNS: &str = "read -r line; echo hello 1; while read -r kind g a w h n k; do \
+       case $kind in \
+         pendulum) yes '1e308 -1.7976931348623157e308
+4.9e-324 -1e-400' | head -n $((n / k)); echo done 18446744073709551615;; \
+         bye) exit;; \
+         *) echo unsupported;; \
+       esac; \
+     done";
 
-/// Catches: a number of an answer that the reader of the protocol makes another one of, or that
-/// ends the judge; a count of evaluations that overflows.
+/// Catches: a number of an answer that ends the reader of the protocol, or the judge; a count of
+/// evaluations that overflows.
 #[cfg(unix)]
-#[rstest]
-#[case::huge("1e308 -1.7976931348623157e308")]
-#[case::subnormal("4.9e-324 -1e-400")]
-fn a_program_with_extreme_answers_is_judged(#[case] state: &str) {
-    let words = script(state);
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+#[test]
+fn a_program_with_extreme_answers_is_judged() {
+    let words = ["sh", "-c", BY_TURNS];
+    let program = started(&words, 600.0).expect("it keeps the protocol");
+    let reply = program.answer(&request(0.1, 2).every(1)).expect("two states");
+    let numbers = reply.states.iter().flat_map(|z| [z.theta, z.omega]);
+    assert!(numbers.eq([1e308, -f64::MAX, 5e-324, -0.0]), "{reply:?}");
+    assert_eq!(reply.evaluations, Some(u64::MAX));
     let claims = "order=99999 symplectic symmetric bounded-energy evaluations=99999";
     let (status, report) = judged(&["--claims", claims], &words);
     assert_eq!((status, report["verdict"].as_str()), (1, Some("fails")), "{report:#}");
