@@ -1,5 +1,6 @@
 //! Ten million steps: the modified energy changes by rounding only, as a random walk.
 
+use pendula::fast::Ensemble;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::EnergyDrift;
 use pendula::{Grid, Hamiltonian, Pendulum, Phase, integrate};
@@ -18,26 +19,24 @@ fn modified_energy(pendulum: &Pendulum, x: f64, z: Phase) -> f64 {
     z.energy() + stormer_verlet::correction(z, x)
 }
 
-/// The relative error of the modified energy after each number of steps in `marks`, of `h` (s)
-/// each.
-fn errors<const N: usize>(pendulum: &Pendulum, start: Phase, h: f64, marks: [u64; N]) -> [f64; N] {
+/// The relative errors of the modified energy from each of these starts, after each number of steps
+/// in `marks`, of `h` (s) each: many motions at once, which have the bits of one alone.
+fn errors<const N: usize>(
+    pendulum: &Pendulum,
+    starts: &[Phase],
+    h: f64,
+    marks: [u64; N],
+) -> [Vec<f64>; N] {
     let x = pendulum.small_angle_frequency() * h;
-    let initial = modified_energy(pendulum, x, start);
-    let mut errors = [f64::NAN; N];
-    let mut next = 0;
-    integrate(
-        pendulum,
-        &StormerVerlet,
-        start,
-        &Grid::new(h, marks[N - 1]).unwrap(),
-        &mut |n: u64, _: f64, z: Phase| {
-            if next < N && n == marks[next] {
-                errors[next] = modified_energy(pendulum, x, z) / initial - 1.0;
-                next += 1;
-            }
-        },
-    );
-    errors
+    let (mut states, mut done) = (starts.to_vec(), 0);
+    marks.map(|mark| {
+        let from = states.clone();
+        let grid = Grid::new(h, mark - done).unwrap();
+        Ensemble::new(pendulum, &from, grid).ends(&StormerVerlet, &mut states);
+        done = mark;
+        let energy = |z: &Phase| modified_energy(pendulum, x, *z);
+        states.iter().zip(starts).map(|(z, start)| energy(z) / energy(start) - 1.0).collect()
+    })
 }
 
 /// The largest relative error of the modified energy, sampled every thousand steps.
@@ -105,14 +104,13 @@ fn rounding_errors_grow_as_the_square_root_of_time(#[values(0.01, 0.001)] h: f64
     /// 2, 0.69 in its logarithm, is more than three standard deviations.
     const SCATTER: f64 = 2.0;
     for pendulum in pendulums() {
-        let (mut squares, mut means) = ([0.0; MARKS.len()], [0.0; MARKS.len()]);
-        for j in 0..STARTS {
-            let start = Phase::at_rest(0.5 + 0.02 * f64::from(j));
-            for (i, error) in errors(&pendulum, start, h, MARKS).into_iter().enumerate() {
-                squares[i] += error * error / f64::from(STARTS);
-                means[i] += error / f64::from(STARTS);
-            }
-        }
+        let starts: Vec<Phase> =
+            (0..STARTS).map(|j| Phase::at_rest(0.5 + 0.02 * f64::from(j))).collect();
+        let errors = errors(&pendulum, &starts, h, MARKS);
+        let mean = |of: fn(f64) -> f64| {
+            errors.each_ref().map(|all| all.iter().map(|e| of(*e)).sum::<f64>() / f64::from(STARTS))
+        };
+        let (squares, means) = (mean(|error| error * error), mean(|error| error));
         for (i, steps) in MARKS.into_iter().enumerate() {
             let walk = squares[i].sqrt() / (f64::EPSILON * (steps as f64).sqrt());
             assert!(walk > WALK[0] && walk < WALK[1], "{walk} √n ε after {steps} steps");
