@@ -27,8 +27,9 @@ fn curve(advice: &Advice, theta_0: f64, periods: u64) -> Curve {
     profile_of(advice.method, theta_0).over(periods)
 }
 
-/// The most steps of a run that a test can afford; in the other swings a tenth.
-const AFFORDABLE: f64 = 1e6;
+/// The most steps of a run that a test can afford: of some runs from 1 rad, and of others.
+const AFFORDABLE: f64 = 3e5;
+const OF_OTHERS: f64 = 1e5;
 
 /// Random cells of a map, the same at each call, whose two best methods can be run in full: first
 /// those with runs as short as the measured ones, then as many with longer runs.
@@ -79,7 +80,7 @@ fn chord(order: u32) -> f64 {
 #[case::nearly_over_the_top(3.0, 4)]
 fn the_advice_is_met_in_real_runs(#[case] theta_0: f64, #[case] count: usize) {
     let release = Release::new(theta_0);
-    let affordable = if theta_0 == THETA_0 { AFFORDABLE } else { 0.1 * AFFORDABLE };
+    let affordable = if theta_0 == THETA_0 { AFFORDABLE } else { OF_OTHERS };
     for Cell { periods, allowed, ranking } in some_cells(map(theta_0), count, affordable) {
         for advice in &ranking[..2] {
             let info = advice.method.info();
@@ -143,7 +144,7 @@ fn the_second_best_needs_more() {
         let curve = curve(next, THETA_0, *periods);
         let Some(steps) = steps_for(&curve, best.evaluations) else { continue };
         // There are many such runs, and so each must be shorter.
-        if steps * *periods as f64 > 0.1 * AFFORDABLE {
+        if steps * *periods as f64 > OF_OTHERS {
             continue;
         }
         let is_coarse = steps < release.coarse;
