@@ -453,6 +453,11 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    // Its runs are ten times as long, and each scene is one of all symplectic methods.
+    #![proptest_config(ProptestConfig { cases: 96, ..config() })]
 
     /// Well inside the stability limit the symplectic methods' energy errors are bounded for the
     /// whole run: by twice the largest of their leading terms, x|q s|/2, or x²(q²/12 + s²/24), both
