@@ -5,7 +5,6 @@ import gzip
 import re
 import subprocess
 import sys
-from functools import cache
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -31,7 +30,6 @@ class Book:
     def text(self, page: str) -> str:
         return (self.folder / page).read_text()
 
-    @cache
     def compressed(self, file: str) -> int:
         """The size of a file as a server sends it (bytes); fonts and pictures are compressed
         already."""
