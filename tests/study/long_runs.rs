@@ -1,5 +1,5 @@
 //! What the ten best methods need for three long runs, found by the runs themselves. It takes
-//! minutes: `cargo test -p pendula-study --test study long_runs -- --ignored
+//! more than half an hour: `cargo test -p pendula-study --test study long_runs -- --ignored
 //! --nocapture`.
 
 use std::num::NonZeroU64;
@@ -111,7 +111,7 @@ fn periods(seconds: f64) -> u64 {
 #[case::a_day(0, 40_000, 1e-2, 10)]
 #[case::a_million_periods(1, 1_000_000, 1e-3, 10)]
 #[case::a_year(2, periods(YEAR), 1e-3, 9)]
-#[ignore = "the year takes an hour: see .ci/slow"]
+#[ignore = "the year takes half an hour: see .ci/slow"]
 fn the_best_methods_need_what_the_map_says(
     #[case] column: usize,
     #[case] periods: u64,
