@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any, Callable
 
-from .equation import Equation, Force, Rate
+from .equation import Equation, Force, Rate, plain
 
 #: A state, (theta, omega).
 Pair = Iterable[float]
@@ -26,6 +26,8 @@ Solver = Callable[[Rate, Any, list[float], float], Iterable[Pair]]
 #: ``crossings(rate, y0, [t0, t1], tolerance)``: t, theta and omega where theta passes zero.
 Crossings = Callable[[Rate, Any, list[float], float], Iterable[Iterable[float]]]
 
+#: How many times the patience late answers may take in all: beyond that no question is asked.
+LOST = 20
 #: Mistakes in a program. Other exceptions may refuse a question.
 MISTAKES = (
     AssertionError,
@@ -120,8 +122,33 @@ class Answers:
             self._known.pop("driven-solve", None)
         self._impossible, self._strict = impossible, strict
         self._has_answered = False
+        #: The questions whose answers were late, and how long all of them took (s).
+        self._late: dict[str, list[str]] = {}
+        self._lost = 0.0
         #: Each question that was refused by an exception.
         self.refused: list[tuple[str, Exception]] = []
+
+    def late(self, line: str, patience: float) -> list[str] | None:
+        """What is answered to a question that is not put to the function: one whose answer was late
+        before, or any, where so many were."""
+        if line in self._late:
+            return self._late[line]
+        if self._lost >= LOST * patience:
+            return [f"error not asked: late answers took {self._lost:.3g} s"]
+        return None
+
+    def was_late(self, line: str, patience: float, took: float) -> list[str]:
+        """The answer to a question whose answer was late.
+
+        Raises NotJudged if none was in time so far."""
+        __tracebackhide__ = True  # by pytest
+        told = f'no answer to "{shortened(line)}" within {patience:g} s'
+        if self._strict and not self._has_answered:
+            raise NotJudged(f"{self.name} gave {told}")
+        self.refused.append((line, TimeoutError(f"{self.name} gave {told}")))
+        self._late[line] = [f"error {told}"]
+        self._lost += took
+        return self._late[line]
 
     def to(self, line: str) -> list[str]:
         """The lines of the answer.
@@ -264,7 +291,7 @@ def takes_time(method: Method) -> bool:
 def row(values: Any, length: int, name: str) -> list[float]:
     """So many numbers, as floats."""
     try:
-        found = [float(x) for x in values]
+        found = [plain(x) for x in values]
     except (TypeError, ValueError) as fault:
         raise NotJudged(
             f"{name} returned {shortened(repr(values))}: not {NUMBERS[length]}"

@@ -6,6 +6,13 @@ import math
 from typing import Any, Callable
 
 
+def plain(value: Any) -> float:
+    """A number, which may be alone in an array, or in a list."""
+    while set(getattr(value, "shape", ())) == {1} or isinstance(value, (list, tuple)):
+        (value,) = value
+    return float(value)
+
+
 class Equation:
     """The pendulum of one question: θ″ = −g_over_l sin θ + amplitude cos(frequency t)."""
 
@@ -29,6 +36,12 @@ class Equation:
             fall = -self.g_over_l * math.sin(theta)
         except ValueError:  # of an infinite angle
             return math.nan
+        except TypeError:
+            # An array with one number.
+            if not getattr(theta, "shape", ()):
+                raise
+            self.evaluations -= 1
+            return self.acceleration(plain(theta), plain(t))
         if self.amplitude:
             return self.amplitude * math.cos(self.frequency * t) + fall
         return fall
@@ -64,7 +77,8 @@ class Rate(Equation):
         self._state = state
 
     def __call__(self, t: float, y: Any) -> Any:
-        return self._state([y[1], self.acceleration(y[0], t)])
+        omega = plain(y[1]) if getattr(y[1], "shape", ()) else y[1]
+        return self._state([omega, self.acceleration(y[0], t)])
 
 
 class State(tuple[float, ...]):

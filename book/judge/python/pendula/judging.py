@@ -8,14 +8,15 @@ import importlib.metadata
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
 import time
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Callable
 
 from .answers import Answers, Crossings, Method, NotJudged, RateMethod, Run, Solver
@@ -44,9 +45,10 @@ class Property:
     why: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Report:
-    """What the judge found. ``print(report)`` prints all of it, and a notebook shows its page.
+    """What the judge found. ``print(report)`` prints all of it, and a notebook shows its page; what
+    an interpreter shows by itself is the verdict and what it is, in two lines.
 
     ``report["order"]`` is one of its properties.
     """
@@ -69,13 +71,13 @@ class Report:
     #: What was claimed.
     claims: str
     #: The whole report, as the command `pendula verify` prints it.
-    text: str = field(repr=False)
+    text: str
     #: The report as a page to keep.
-    html: str = field(repr=False)
+    html: str
     #: The report as the command prints it with ``--format json``.
-    json: dict[str, Any] = field(repr=False)
+    json: dict[str, Any]
     #: The exceptions with which questions were refused, each with its question.
-    refused: list[tuple[str, Exception]] = field(repr=False)
+    refused: list[tuple[str, Exception]]
 
     @property
     def holds(self) -> bool:
@@ -107,6 +109,9 @@ class Report:
     def __str__(self) -> str:
         return self.text.rstrip("\n")
 
+    def __repr__(self) -> str:
+        return f"<Report: {self.summary}\n {self.what_it_is}; print() shows all of it>"
+
     def _repr_html_(self) -> str:
         page = html.escape(self.html, quote=True)
         return (
@@ -116,7 +121,11 @@ class Report:
 
 
 def judge(
-    method: Method, claims: str = "", *, patience: float = 10.0, name: str | None = None
+    method: Method,
+    claims: str | Iterable[str] = "",
+    *,
+    patience: float = 10.0,
+    name: str | None = None,
 ) -> Report:
     """Judges a method of equal steps.
 
@@ -154,8 +163,13 @@ def judge(
     returns the next: so a class with a memory is a method.
 
     The claims are those of `pendula verify`: order=P, symplectic, symmetric, bounded-energy,
-    evaluations=N (a step), name=METHOD. Without any the method is named and nothing is held against
-    it. ``patience`` is how long an answer may take (s).
+    evaluations=N (a step), name=METHOD, and, of what cannot do all of it, forward-only and
+    single-precision: one text, or a list of its words. Without any the method is named and nothing
+    is held against it.
+
+    ``patience`` is how long an answer may take (s). Then the function is interrupted, the property
+    that was asked for is not measured, and the others are; if the first answer is late, it is
+    NotJudged.
 
     An exception ends it, as NotJudged, if it tells a mistake in the function, as NameError does, or
     if no question was answered yet. Any other, such as OverflowError, or a ValueError for a
@@ -168,7 +182,7 @@ def judge(
 
 def judge_rate(
     method: RateMethod,
-    claims: str = "",
+    claims: str | Iterable[str] = "",
     *,
     state: Callable[[list[float]], Any] = State,
     patience: float = 10.0,
@@ -194,7 +208,7 @@ def judge_rate(
 
 def judge_solver(
     solver: Solver,
-    claims: str = "",
+    claims: str | Iterable[str] = "",
     crossings: Crossings | None = None,
     *,
     state: Callable[[list[float]], Any] = list,
@@ -226,15 +240,21 @@ def judge_solver(
     False
 
     The claims are those of `pendula verify` for solvers: order=P, estimate=Q, free-outputs,
-    crossings. Of exceptions the same is true as with :func:`judge`.
+    crossings; outputs=N, that states between its steps come from polynomials of degree N, and need
+    not be as good as the steps; forward-only, that it is not to be asked backwards;
+    single-precision; and refuses, that a tolerance of zero, a negative one, NaN and a time that
+    never comes end in an exception. Of exceptions, and of the patience, the same is true as with
+    :func:`judge`.
 
-    A solver should refuse a tolerance that is zero, negative or NaN. With ``impossible=True`` it is
-    asked for that too; many are caught in it until the patience ends.
+    With ``impossible=True``, or if it is claimed that it refuses, it is asked for the impossible;
+    many solvers are caught in it until the patience ends.
     """
     __tracebackhide__ = True
     function("judge_solver", solver)
     if crossings is not None:
         function("judge_solver(…, crossings)", crossings)
+    claims = words(claims)
+    impossible = impossible or "refuses" in claims.split()
     answers = Answers(named(solver, name), solver=solver, crossings=crossings, state=state,
                       impossible=impossible)  # fmt: skip
     return judged(answers, claims, patience)
@@ -312,71 +332,133 @@ def program() -> str:
 
 
 class TooLate(BaseException):
-    """The judge waits no longer. (It is no Exception, which many functions catch.)"""
+    """A function has had its time. (It is no Exception, which many functions catch.)"""
 
 
-class Waiting:
-    """While a function computes: ends it when the judge, a process, waits no longer.
+#: What wakes a function in the main thread, asleep or not: a signal that nobody heeds otherwise.
+WAKES = getattr(signal, "SIGURG", None)
 
-    The exception is set in the thread of the function, where the interpreter can do so. What runs
-    outside of Python, in a library, ends first."""
 
-    def __init__(self, judge: subprocess.Popen[str]) -> None:
-        self._judge = judge
+class Patience:
+    """How long a function may take for an answer (s): then it is interrupted.
+
+    In the main thread a signal does it, which wakes what sleeps, too; in another, or where there
+    are no such signals, an exception that is set in the thread. What runs outside of Python, in a
+    library, ends first."""
+
+    def __init__(self, patience: float) -> None:
+        self.seconds = patience
         self._thread = threading.get_ident()
-        self._lock = threading.Lock()
-        self._computes = self._was_ended = False
+        self._is_main = threading.current_thread() is threading.main_thread()
+        self._before: Any = None
+        #: Set and read by both threads.
+        self._change = threading.Condition()
+        self._deadline: float | None = None
+        #: Whether the last answer was late: the function may have caught what interrupts it.
+        self.was_late = self._is_over = False
+
+    def __enter__(self) -> Patience:
+        if self._by_signal():
+            assert WAKES is not None
+            self._before = signal.signal(WAKES, self._wake)
         threading.Thread(target=self._watch, daemon=True).start()
+        return self
+
+    def __exit__(self, *fault: object) -> None:
+        with self._change:
+            self._deadline, self._is_over = None, True
+            self._change.notify()
+        if self._by_signal():
+            assert WAKES is not None
+            signal.signal(WAKES, self._before or signal.SIG_DFL)
+
+    def _by_signal(self) -> bool:
+        return self._is_main and WAKES is not None and hasattr(signal, "pthread_kill")
+
+    def _wake(self, number: int, frame: object) -> None:
+        # It may have been done when the signal came.
+        if self._deadline is not None and time.monotonic() >= self._deadline:
+            raise TooLate
 
     def _watch(self) -> None:
-        self._judge.wait()
-        set_exception = getattr(ctypes, "pythonapi", None) and (
-            ctypes.pythonapi.PyThreadState_SetAsyncExc
+        with self._change:
+            while not self._is_over:
+                left = None if self._deadline is None else self._deadline - time.monotonic()
+                if left is None or left > 0:
+                    # A wait for days is one that the platform may not know.
+                    self._change.wait(left if left is None else min(left, 3600.0))
+                    continue
+                self.was_late = True
+                if self._by_signal():
+                    assert WAKES is not None
+                    signal.pthread_kill(self._thread, WAKES)
+                elif hasattr(ctypes, "pythonapi"):
+                    raises = ctypes.pythonapi.PyThreadState_SetAsyncExc
+                    raises(ctypes.c_ulong(self._thread), ctypes.py_object(TooLate))
+                # The function may have caught it, and go on.
+                self._change.wait(0.1)
+
+    def ask(self, answer: Callable[[], list[str]]) -> list[str]:
+        """The answer. Raises TooLate if it takes too long."""
+        __tracebackhide__ = True  # by pytest
+        is_late = False
+        try:
+            with self._change:
+                self.was_late = False
+                self._deadline = time.monotonic() + self.seconds
+                self._change.notify()
+            return answer()
+        except TooLate:
+            is_late = True
+            raise
+        finally:
+            # It comes between two instructions, and may come here.
+            try:
+                self._stop()
+                for _ in range(100 if self.was_late and not is_late else 0):
+                    time.sleep(0.001)
+            except TooLate:
+                self._stop()
+
+    def _stop(self) -> None:
+        with self._change:
+            self._deadline = None
+
+
+def words(claims: str | Iterable[str]) -> str:
+    """Claims as one text. Raises TypeError for what are none."""
+    __tracebackhide__ = True
+    if isinstance(claims, str):
+        return claims
+    listed = list(claims) if isinstance(claims, (list, tuple)) else [None]
+    if not all(isinstance(one, str) for one in listed):
+        raise TypeError(
+            'the claims are a text, as "order=2 symplectic", or a list of its words, and not '
+            f"{claims!r:.60}"
         )
-        while set_exception:
-            with self._lock:
-                if not self._computes:
-                    return
-                self._was_ended = True
-                set_exception(ctypes.c_ulong(self._thread), ctypes.py_object(TooLate))
-            # The function may have caught it, and go on.
-            time.sleep(0.1)
-
-    def __enter__(self) -> None:
-        with self._lock:
-            self._computes = True
-
-    def stop(self) -> None:
-        with self._lock:
-            self._computes = False
-
-    def __exit__(self, kind: object, fault: object, trace: TracebackType | None) -> None:
-        self.stop()
-        # It comes between two instructions, and may not have come yet; or the function caught it.
-        for _ in range(100 if self._was_ended and kind is not TooLate else 0):
-            time.sleep(0.001)
+    return " ".join(map(str, listed))
 
 
-def judged(answers: Answers, claims: str, patience: float) -> Report:
+def judged(answers: Answers, claims: str | Iterable[str], patience: float) -> Report:
     """Starts the program, answers it, and reads its report."""
     __tracebackhide__ = True
-    if not isinstance(claims, str):
-        kind = type(claims).__name__
-        raise TypeError(f'the claims are one text, as "order=2 symplectic", and not {kind}')
-    path = program()
+    claims, path = words(claims), program()
     other = f"{path} is not the program pendula, which PENDULA_PROGRAM may name"
     with tempfile.TemporaryDirectory() as folder:
         page = os.path.join(folder, "report.html")
-        words = [path, "verify", "--stdio", "--format", "json", "--report", page]
-        words += ["--patience", repr(float(patience)), "--claims", claims]
+        command = [path, "verify", "--stdio", "--watched", "--format", "json", "--report", page]
+        command += ["--patience", repr(float(patience)), "--claims", claims]
         pipe = subprocess.PIPE
         try:
-            judge = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8")
+            judge = subprocess.Popen(
+                command, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8"
+            )
         except OSError as fault:
             raise RuntimeError(other) from fault
         with judge:
             try:
-                report = answered(judge, answers, other)
+                with Patience(patience) as waits:
+                    report = answered(judge, answers, waits, other)
             except BaseException:
                 judge.kill()
                 raise
@@ -406,12 +488,12 @@ def judged(answers: Answers, claims: str, patience: float) -> Report:
 BYE = "bye\n"
 
 
-def answered(judge: subprocess.Popen[str], answers: Answers, other: str) -> str:
+def answered(judge: subprocess.Popen[str], answers: Answers, patience: Patience, other: str) -> str:
     """Answers to the end, and returns the report; or the line that says why there is none. What is
     said if it is another program."""
     __tracebackhide__ = True
     assert judge.stdin and judge.stdout and judge.stderr
-    waiting, greeted = Waiting(judge), False
+    greeted = False
     try:
         for line in judge.stdout:
             if line == BYE:
@@ -419,17 +501,13 @@ def answered(judge: subprocess.Popen[str], answers: Answers, other: str) -> str:
             if not greeted and not line.startswith("hello "):
                 raise RuntimeError(other)
             greeted = True
-            with waiting:
-                said = answers.to(line.rstrip("\n"))
-            judge.stdin.write("\n".join(said) + "\n")
+            judge.stdin.write("\n".join(in_time(line.rstrip("\n"), answers, patience)) + "\n")
             judge.stdin.flush()
-    except (BrokenPipeError, TooLate):
+    except BrokenPipeError:
         pass  # It waits no longer, and has said bye.
     except NotJudged:
         if judge.poll() is None:
             raise
-    finally:
-        waiting.stop()
     report = judge.stdout.read()
     # In which case that has not been read.
     report = report.removeprefix(BYE)
@@ -439,3 +517,24 @@ def answered(judge: subprocess.Popen[str], answers: Answers, other: str) -> str:
     if not greeted and "pendula:" not in told:
         raise RuntimeError(other)
     return told.replace("pendula: standard input: ", "", 1)
+
+
+def in_time(line: str, answers: Answers, patience: Patience) -> list[str]:
+    """The lines of the answer, or, after the patience, that there is none."""
+    __tracebackhide__ = True
+    said = answers.late(line, patience.seconds)
+    if said is not None:
+        return said
+    begun = time.monotonic()
+    try:
+        said = patience.ask(lambda: answers.to(line))
+    except TooLate:
+        said = []
+    except NotJudged:
+        # What it did after it was interrupted is no mistake of its own.
+        if not patience.was_late:
+            raise
+        said = []
+    if said and not patience.was_late:
+        return said
+    return answers.was_late(line, patience.seconds, time.monotonic() - begun)

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import pendula
@@ -116,6 +117,51 @@ def test_a_report_has_what_the_command_has():
         pendula.judge(verlet, "order=two")
 
 
+def test_claims_may_be_listed():
+    """Catches: a list that is read as less than its words, or as other ones."""
+    listed = pendula.judge(verlet, ["order=2", "symplectic", "evaluations=2"])
+    assert listed.holds and listed.claims == "order=2 symplectic evaluations=2"
+    with pytest.raises(pendula.NotJudged, match="order=two"):
+        pendula.judge(verlet, ("order=two",))
+
+
+def test_a_report_shows_itself_in_two_lines():
+    """Catches: a page of text where an interpreter shows a value."""
+    first, second = repr(pendula.judge(verlet, "order=3")).splitlines()
+    assert first == "<Report: A claim fails: order."
+    assert second.startswith(" Störmer–Verlet (stormer-verlet), to ")
+    assert second.endswith("; print() shows all of it>")
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (1, 1)])
+def test_numbers_may_be_alone_in_arrays(shape):
+    """Catches: an array of one number that is no number, here or in the force."""
+    numpy = pytest.importorskip("numpy")
+
+    def boxed(force, theta, omega, h):
+        theta, omega = (numpy.reshape(float_of(x), shape) for x in (theta, omega))
+        omega = omega + h / 2 * force(theta)
+        theta = theta + h * omega
+        return theta, omega + h / 2 * force(theta)
+
+    def float_of(x):
+        return numpy.ravel(x).astype(float)[0]
+
+    def walk(force, theta, omega, h):
+        while True:
+            theta, omega = boxed(force, theta, omega, h)
+            yield theta, omega
+
+    def midpoint(rate, t, y, h):
+        y = numpy.reshape(y, (2, *shape))
+        slope = numpy.reshape(rate(t, y), y.shape)
+        return y + h * numpy.reshape(rate(t + h / 2, y + h / 2 * slope), y.shape)
+
+    for method in (boxed, walk):
+        pendula.judge(method, f"{LEAPFROG} evaluations=2").check()
+    pendula.judge_rate(midpoint, "order=2 evaluations=2", state=numpy.array).check()
+
+
 def failing(force, theta, omega, h):
     return theta + h * omega, omgea  # noqa: F821
 
@@ -165,9 +211,10 @@ def test_a_mistake_ends_it_with_its_own_traceback(method, because):
         (lambda: pendula.serve(2), "serve takes a function, and not int"),
         (lambda: pendula.serve(run=0), "serve takes a function, and not int"),
         (lambda: pendula.serve(), "there is nothing to serve"),
-        (lambda: pendula.judge(verlet, ["order=2"]), "the claims are one text, .* and not list"),
-        (lambda: pendula.judge(verlet, None), "the claims are one text, .* and not NoneType"),
-        (lambda: pendula.judge(verlet, b"order=2"), "the claims are one text, .* and not bytes"),
+        (lambda: pendula.judge(verlet, {"order": 2}), "the claims are a text, .* and not {'order'"),
+        (lambda: pendula.judge(verlet, ["order=2", 3]), "the claims are a text, .* and not \\["),
+        (lambda: pendula.judge(verlet, None), "the claims are a text, .* and not None"),
+        (lambda: pendula.judge(verlet, b"order=2"), "the claims are a text, .* and not b'order"),
     ],
 )
 def test_what_is_no_function_and_what_are_no_claims(ask, because):
@@ -243,6 +290,43 @@ def stubborn(force, theta, omega, h):
     yield from (hang(force, theta, omega, h) for _ in range(3))
 
 
+def asleep(force, theta, omega, h):
+    time.sleep(1000)
+
+
+def back_asleep(force, theta, omega, h):
+    if h < 0:
+        time.sleep(1000)
+    return verlet(force, theta, omega, h)
+
+
+def fast_asleep(force, theta, omega, h):
+    if force.g_over_l > 100:
+        time.sleep(1000)
+    return verlet(force, theta, omega, h)
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="nothing wakes what sleeps")
+def test_what_sleeps_is_woken():
+    """It would sleep for longer than any test takes.
+
+    Catches: a sleep that is waited for; a late answer that costs more than its property; a signal
+    whose handler stays."""
+    before = signal.getsignal(signal.SIGURG)
+    with pytest.raises(pendula.NotJudged, match="asleep gave no answer to"):
+        pendula.judge(asleep, LEAPFROG, patience=2)
+    report = pendula.judge(fast_asleep, LEAPFROG, patience=2)
+    assert report.verdict == "not measured" and report["name"].verdict == "holds"
+    late = [one.name for one in report.properties if one.claimed and one.verdict != "holds"]
+    assert late == ["units"]
+    assert re.fullmatch('no answer to "pendulum .*" within 2 s', report["units"].why)
+    assert isinstance(report.refused[0][1], TimeoutError)
+    with pytest.raises(AssertionError, match="units not measured: no answer to"):
+        report.check()
+    pendula.judge(back_asleep, "order=2 symplectic forward-only", patience=2).check()
+    assert signal.getsignal(signal.SIGURG) == before
+
+
 @pytest.mark.parametrize("method", [endless, stubborn])
 @pytest.mark.parametrize("in_a_thread", [False, True])
 def test_patience_ends(method, in_a_thread):
@@ -251,7 +335,7 @@ def test_patience_ends(method, in_a_thread):
     told = []
 
     def ask():
-        with pytest.raises(pendula.NotJudged, match="given up after"):
+        with pytest.raises(pendula.NotJudged, match=r'gave no answer to "pend.*" within 0\.5 s'):
             pendula.judge(method, patience=0.5)
         told.append(pendula.judge(verlet, LEAPFROG).holds)
 
@@ -342,6 +426,8 @@ def test_a_solver_is_asked_for_what_is_possible():
     report = pendula.judge_solver(at_rest, "order=1")
     assert report["refusal"].verdict == "not measured" and not report.refused
     report = pendula.judge_solver(at_rest, "order=1", impossible=True)
+    assert report["refusal"].verdict == "unclaimed" and report.refused == []
+    report = pendula.judge_solver(at_rest, "order=1 refuses")
     assert report["refusal"].verdict == "holds" and report.refused == []
 
 
