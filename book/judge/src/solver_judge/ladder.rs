@@ -150,7 +150,7 @@ impl Ladder {
         // What single precision makes of an error is measured: the most that rounding may make is
         // far more.
         if asked.scenes.coarser() > 1.0 {
-            let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
+            let least = ladder.rungs.iter().map(Rung::mean).fold(f64::INFINITY, f64::min);
             ladder.rungs.iter_mut().for_each(|rung| rung.rounding = rung.rounding.min(least));
         }
         // What does not grow as the tolerance falls is no count of evaluations.
