@@ -125,3 +125,8 @@ pub mod internals {
     pub use crate::arithmetic::rough::{exp2, log2};
     pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
 }
+
+/// The README's listing, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -228,9 +228,9 @@ fn single_precision_excuses_no_mistake() {
     assert!(report.failures().any(|name| name == "tolerance"), "{report}");
 }
 
-/// Catches: a cubic between the steps that cannot be green though it is claimed; one that is, and is
-/// not claimed; a claim of a cubic that holds for a line, or for a cubic whose slopes are wrong, or
-/// where nobody counts, so that no power is known.
+/// Catches: a cubic between the steps that cannot be green though it is claimed; one that is green
+/// and is not claimed; a claim of a cubic that holds for a line, or for a cubic whose slopes are
+/// wrong, or where nobody counts, so that no power is known.
 #[rstest]
 #[case::cubic(Between::Cubic, "outputs=3", &[])]
 #[case::cubic_and_no_claim(Between::Cubic, "", &[("output", Verdict::Fails)])]
@@ -292,7 +292,7 @@ fn verlet(g: f32, mut theta: f32, mut omega: f32, h: f32, n: u64) -> Vec<(f64, f
 }
 
 /// Catches: equal steps in single precision that cannot be green though it is claimed; double
-/// precision that is not asked for where nothing is claimed; a rounding of a thousandth that passes.
+/// precision that is not asked for where it is not claimed; a rounding of a thousandth that passes.
 #[test]
 fn equal_steps_in_single_precision_hold() {
     let single = FromFn(|g: f64, theta: f64, omega: f64, h: f64, n: u64| {
@@ -334,8 +334,8 @@ fn equal_steps_forward_hold() {
     assert!(onward.0.get() > 100);
 }
 
-/// Catches: a name that many use, as it is written or with a slip, that leads to other methods or to
-/// none; the same method by two names that is taken for two.
+/// Catches: a name that many use, as it is written or with a slip, that leads to other methods or
+/// to none; the same method by two names that is taken for two.
 #[test]
 fn names_are_proposed_that_can_be_meant() {
     let told = |name: &str| match format!("name={name}").parse::<Claims>() {

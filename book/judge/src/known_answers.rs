@@ -197,8 +197,8 @@ fn apart(one: &str, other: &str) -> usize {
     row[other.len()].min(3)
 }
 
-/// The right method of this name, among its other names too, in capitals or not, and with or without
-/// blanks, hyphens and underscores: `velocity-verlet` is "velocity Verlet".
+/// The right method of this name, among its other names too, in capitals or not, and with or
+/// without blanks, hyphens and underscores: `velocity-verlet` is "velocity Verlet".
 pub fn method(name: &str) -> Option<&'static Known> {
     let name = bare(name);
     let is = |other: &str| bare(other) == name;

@@ -109,5 +109,5 @@ pub use words::{
 
 /// The README's listings, run as tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 mod readme {}

@@ -138,9 +138,9 @@ pub trait Solver {
         Duration::from_secs(10)
     }
 
-    /// Whether it may be asked what a right solver may never answer, such as for a tolerance of zero:
-    /// a program may, which is ended when it is late. A function cannot be ended, and is asked only
-    /// if it is [claimed](crate::Claims::refuses) that it refuses.
+    /// Whether it may be asked what a right solver may never answer, such as for a tolerance of
+    /// zero: a program may, which is ended when it is late. A function cannot be ended, and is
+    /// asked only if it is [claimed](crate::Claims::refuses) that it refuses.
     fn may_hang(&self) -> bool {
         false
     }
@@ -279,8 +279,8 @@ impl<R: IntoReply, E: fmt::Display> IntoReply for Result<R, E> {
 
 /// A solver that is a function of g/L (1/s²), θ (rad), ω (rad/s), t₀ (s), the tolerance and the
 /// times (s), which returns a pair (θ, ω) for each of them: see [`IntoReply`]. If it is
-/// [claimed](crate::Claims::refuses) that it refuses the impossible (a tolerance of zero, a time that
-/// never comes), it is asked for that too, and has to answer it with an error.
+/// [claimed](crate::Claims::refuses) that it refuses the impossible (a tolerance of zero, a time
+/// that never comes), it is asked for that too, and has to answer it with an error.
 ///
 /// A function cannot be interrupted: one that never returns keeps its caller. Many solvers never
 /// return from a run backwards; of those [`Claims::forward_only`](crate::Claims::forward_only) is

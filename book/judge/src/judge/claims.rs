@@ -122,8 +122,8 @@ impl Claims {
         Self { refuses: true, ..self }
     }
 
-    /// And that states between the steps of a solver come from polynomials of this `degree`, so that
-    /// their error falls with the power `degree` + 1 of the step.
+    /// And that states between the steps of a solver come from polynomials of this `degree`, so
+    /// that their error falls with the power `degree` + 1 of the step.
     pub fn outputs(self, degree: u32) -> Self {
         Self { outputs: Some(degree), ..self }
     }

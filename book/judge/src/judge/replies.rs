@@ -140,8 +140,8 @@ pub const DOUBLE: f64 = 2e-14;
 /// And what no double precision explains; single precision makes 6·10⁻⁸.
 const COARSER: f64 = 1e-11;
 
-/// What is to be said of a claim of double precision, or of `single`, of a program that may have cut
-/// off digits of its numbers.
+/// What is to be said of a claim of double precision, or of `single`, of a program that may have
+/// cut off digits of its numbers.
 pub fn judge_precision(rounding: f64, cut_off: Option<&Departure>, single: bool) -> Finding {
     // A step rounds by as many units in the last place in either.
     let units = if single { f64::from(f32::EPSILON) / f64::EPSILON } else { 1.0 };

@@ -114,8 +114,8 @@ impl Program {
 
     /// As [`start_until`](Self::start_until), of a program that runs already, and has started this
     /// one perhaps: what it says comes from `answers`, and what it is asked goes to `questions`. It
-    /// is not ended, and not begun anew: after an answer that is lost it is asked nothing more. When
-    /// this is dropped, `bye` has been written, unless nobody reads for half a second.
+    /// is not ended, and not begun anew: after an answer that is lost it is asked nothing more.
+    /// When this is dropped, `bye` has been written, unless nobody reads for half a second.
     ///
     /// # Errors
     /// One line that says how it answered.
@@ -192,8 +192,8 @@ impl Program {
     /// Whether it knows `pendulum`, and so can be judged by its equal steps.
     ///
     /// # Errors
-    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was asked
-    /// for a run, and for a single step. [`Fault::Broken`] if it cannot be asked at all.
+    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was
+    /// asked for a run, and for a single step. [`Fault::Broken`] if it cannot be asked at all.
     pub fn knows_pendulum(&self) -> Result<(), Fault> {
         known([200, 1].map(steps), |request| self.answer(request))
     }
@@ -201,9 +201,9 @@ impl Program {
     /// Whether it knows `solve`, and so can be judged as a solver.
     ///
     /// # Errors
-    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was asked
-    /// for a state with a loose tolerance, and with a usual one. [`Fault::Broken`] if it cannot be
-    /// asked at all.
+    /// Why it does not: [`Fault::Unsupported`] if it says so, or else what it did where it was
+    /// asked for a state with a loose tolerance, and with a usual one. [`Fault::Broken`] if it
+    /// cannot be asked at all.
     pub fn knows_solve(&self) -> Result<(), Fault> {
         let request = |tolerance| SolveRequest::new(9.81, START, tolerance).to(&[1.0]);
         known([1e-3, 1e-6].map(request), |request| self.solve(request))
@@ -263,7 +263,8 @@ impl Program {
         format!("asked \"{asked}\": {happened}")
     }
 
-    /// Asks `question` and lets `read` read the answer. What can be asked no more, and why, is kept.
+    /// Asks `question` and lets `read` read the answer. What can be asked no more, and why, is
+    /// kept.
     fn ask<T>(
         &self,
         question: &str,

@@ -111,7 +111,8 @@ impl Driven {
             for (k, part) in PARTS.into_iter().enumerate() {
                 let allowed =
                     if part.to.len() == 1 { at_ends } else { libm::fmaximum(at_ends, elsewhere) };
-                // Not reached, or nothing to compare with; or late before, which costs the patience.
+                // Not reached, or nothing to compare with; or late before, which costs the
+                // patience.
                 if !(at_ends > 0.0 && allowed < 0.1) || refused[k].is_some() {
                     continue;
                 }

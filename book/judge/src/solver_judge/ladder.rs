@@ -69,8 +69,8 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
     pub ended: Option<String>,
-    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these come
-    /// from polynomials of a degree; else none.
+    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these
+    /// come from polynomials of a degree; else none.
     pub outputs: Vec<(f64, f64)>,
     /// Two counts of evaluations for the same answers to the same requests, the first and the
     /// second time, if they differ. Such counts are left out.
@@ -353,6 +353,23 @@ mod tests {
         fn patience(&self) -> Duration {
             self.patience
         }
+    }
+
+    /// Catches: a verdict that depends on what else the machine does: a ladder that ends by the time
+    /// that answers take, though evaluations are counted.
+    #[test]
+    fn a_ladder_does_not_depend_on_the_load() {
+        let rungs = |answer| {
+            let patience = Duration::from_secs(10);
+            let (state, clock) = (Duration::ZERO, Cell::default());
+            let slow = Slow { patience, answer, state, clock };
+            let report = judge_solver(&slow, Claims::order(8).estimate(8));
+            assert_eq!(report.verdict, Verdict::Holds, "{report}");
+            report.evidence.tolerances
+        };
+        let quick = rungs(Duration::from_millis(1));
+        assert_eq!(quick.len(), RUNGS as usize);
+        assert_eq!(rungs(Duration::from_secs(5)), quick);
     }
 
     /// Catches: a solver too slow for its patience held for a wrong one, or asked on; one that has

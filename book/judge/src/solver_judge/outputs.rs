@@ -216,8 +216,7 @@ impl Outputs {
         );
         if let (Some(degree), true) = (degree, worse) {
             let why = format!(
-                "from polynomials of degree {degree} they fall with the power {} of the step, which \
-                 is as that of 1/evaluations",
+                "from polynomials of degree {degree} they fall with the power {} of the step",
                 degree + 1
             );
             return Finding {

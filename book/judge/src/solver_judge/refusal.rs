@@ -18,8 +18,9 @@ const IMPOSSIBLE: [(&str, f64, f64); 4] = [
 const WRONG: f64 = 1e-3;
 
 /// Whether the impossible ends in an error. It is asked for at last: a program that hangs is ended,
-/// and that is what is found. A right solver may hang there, so a function, which cannot be ended, is
-/// asked only if it is `claimed` that it refuses. Who calls it unsupported need not be asked for it.
+/// and that is what is found. A right solver may hang there, so a function, which cannot be ended,
+/// is asked only if it is `claimed` that it refuses. Who calls it unsupported need not be asked for
+/// it.
 pub fn finding(asked: Asked<'_>, claimed: bool) -> Measured<Finding> {
     if !(claimed || asked.solver.may_hang()) {
         let why = "it is asked for the impossible only if refuses is claimed";

@@ -8,10 +8,10 @@ use crate::finding::Measurement;
 use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 
-/// By how many ε an interpolant may miss the end of its own step, relative to the state: it is a sum of
-/// some ten terms, each up to ten times the state, as coefficients of high order are large and have
-/// both signs, and rounded by ε/2; their factors round as much again. A step that was moved changes
-/// the end by a part of the tolerance, which is thousands of times more.
+/// By how many ε an interpolant may miss the end of its own step, relative to the state: it is a
+/// sum of some ten terms, each up to ten times the state, as coefficients of high order are large
+/// and have both signs, and rounded by ε/2; their factors round as much again. A step that was
+/// moved changes the end by a part of the tolerance, which is thousands of times more.
 const ROUNDED: f64 = 100.0;
 
 /// Whether a run ends in the same state with outputs and without; where it is claimed that they are
@@ -74,8 +74,8 @@ const ROWS: [(&str, &[f64]); 5] = [
     ("times of a run backwards", &[0.0, -0.3, -0.3, -1.0]),
 ];
 
-/// And a thousand times within a step, so far apart; in single precision, whose time has fewer digits,
-/// ten thousand times as far.
+/// And a thousand times within a step, so far apart; in single precision, whose time has fewer
+/// digits, ten thousand times as far.
 const CLOSE: f64 = 1e-10;
 const CLOSE_SINGLE: f64 = 1e-6;
 

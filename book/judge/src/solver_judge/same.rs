@@ -48,8 +48,9 @@ const FAR: f64 = 1e6;
 /// And in single precision, where t has steps of 8·10⁻⁶ s there.
 const FAR_SINGLE: f64 = 100.0;
 
-/// Runs that begin at t₀ = ±10⁶ s, or ±100 s in single precision. Each step rounds t there by half a unit in the last place, and
-/// always alike if the steps are; the state moves no faster than at the bottom.
+/// Runs that begin at t₀ = ±10⁶ s, or ±100 s in single precision. Each step rounds t there by half
+/// a unit in the last place, and always alike if the steps are; the state moves no faster than at
+/// the bottom.
 pub fn start(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     let Scenes { g_over_l, starts, duration, epsilon } = asked.scenes;
     let (far, from) = match asked.scenes.coarser() > 1.0 {

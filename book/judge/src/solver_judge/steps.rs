@@ -243,7 +243,8 @@ pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     })
 }
 
-/// The smallest error that it comes to; of a solver in single precision, whether rounding can make it.
+/// The smallest error that it comes to; of a solver in single precision, whether rounding can make
+/// it.
 pub fn precision(ladder: &Ladder) -> Finding {
     let least = ladder.rungs.iter().map(Rung::largest).fold(f64::INFINITY, f64::min);
     let ends: Vec<_> = ladder.rungs.iter().flat_map(|rung| rung.ends).collect();

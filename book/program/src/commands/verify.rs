@@ -46,7 +46,8 @@ pub struct Arguments {
     /// language. The report follows after bye
     #[arg(long, conflicts_with_all = ["program", "example"])]
     stdio: bool,
-    /// The parent process ends what takes longer than --patience by itself, and answers in its place
+    /// The parent process ends what takes longer than --patience by itself, and answers in its
+    /// place
     #[arg(long, hide = true, requires = "stdio")]
     watched: bool,
     /// Also write the report with its figures to this file, as a page that can be read offline

@@ -1,5 +1,5 @@
-//! Programs of which one answer is late, or none, or ends them: they are begun anew, and it costs one
-//! property.
+//! Programs of which one answer is late, or none, or ends them: they are begun anew, and it costs
+//! one property.
 
 use std::fs;
 
@@ -9,12 +9,13 @@ use serde_json::Value;
 use super::{PATIENT, PENDULA, assert_valid, pendula, property};
 
 /// A program of the library's, and before it a shell that sees each question first, as `$line`:
-/// where `at_fault` does not `continue`, the question is passed on. What it says by itself goes to 3.
-/// It writes a line to `$1` whenever it is begun.
+/// where `at_fault` does not `continue`, the question is passed on. What it says by itself goes to
+/// 3. It writes a line to `$1` whenever it is begun.
 fn spoilt(served: &str, at_fault: &str) -> String {
     format!(
         "echo begun >> \"$1\"\n\
-         {{ while read -r line; do\n{at_fault}\necho \"$line\"\ndone | \"$0\" serve {served}; }} 3>&1"
+         {{ while read -r line; do\n{at_fault}\necho \"$line\"\n\
+         done | \"$0\" serve {served}; }} 3>&1"
     )
 }
 
