@@ -355,8 +355,8 @@ mod tests {
         }
     }
 
-    /// Catches: a verdict that depends on what else the machine does: a ladder that ends by the time
-    /// that answers take, though evaluations are counted.
+    /// Catches: a verdict that depends on what else the machine does: a ladder that ends by the
+    /// time that answers take, though evaluations are counted.
     #[test]
     fn a_ladder_does_not_depend_on_the_load() {
         let rungs = |answer| {
