@@ -177,7 +177,10 @@ impl Outputs {
             );
             let why = "at no tolerance are they off by less than 0.5 rad".to_string();
             let ratio = it.outputs / it.steps.max(it.rounding);
-            return Finding { measured, why, ..Finding::number(ratio, "", HOLDS, Verdict::Fails) };
+            return Finding {
+                measurement: Measurement::Said { measured, why },
+                ..Finding::number(ratio, "", HOLDS, Verdict::Fails)
+            };
         };
         let Compared { tolerance, outputs, steps, .. } = *worst;
         if self.single {

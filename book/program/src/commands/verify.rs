@@ -227,7 +227,7 @@ fn judged(program: Program, claims: &Claims) -> Result<(Report, String), String>
     let is_measured = |finding: &Finding| finding.verdict != Verdict::NotMeasured;
     match report.findings.first() {
         Some(first) if !report.findings.iter().any(is_measured) => {
-            let why = at_fault.unwrap_or_else(|| first.why.clone());
+            let why = at_fault.unwrap_or_else(|| first.why());
             Err(format!("{command}: nothing could be measured: {why}"))
         }
         _ => Ok((report, name)),

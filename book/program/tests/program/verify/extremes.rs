@@ -17,7 +17,7 @@ fn assert_written(report: &Report, claims: &Claims) {
     let judged = Judged { command: "x", name: "", claims, report };
     assert_valid(&formats::json(&judged));
     let (junit, markdown) = (formats::junit(&judged, true), formats::markdown(&judged));
-    let html = page::html(&judged);
+    let html = page::html(&judged, "2026-01-02");
     for text in [&junit, &markdown, &html] {
         assert!(!text.contains("NaN"), "{text}");
         // The page of a right method has 0.3 MB, most of it the curve of the energy.

@@ -254,7 +254,7 @@ fn the_judge_of_solvers_tells_a_fault() {
     let tolerance = |program: &Program| -> Result<(), Fault> {
         let report = judged(program)?;
         assert!(report.findings.iter().all(|it| it.verdict == Verdict::NotMeasured), "{report}");
-        Err(Fault::Lost(report.finding("tolerance").unwrap().why.clone()))
+        Err(Fault::Lost(report.finding(Property::Tolerance).unwrap().why()))
     };
     for (rest, because) in [
         ("exec sleep 1000 # given up", "given up after 3 s"),
