@@ -6,8 +6,8 @@ use std::cell::Cell;
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Fault, FromFn, Reply, Report, Request, SolveFn, SolveRequest, Solver, Stranger,
-    Verdict, judge, judge_solver,
+    Claims, Fault, FromFn, Property, Reply, Report, Request, SolveFn, SolveRequest, Solver,
+    Stranger, Verdict, judge, judge_solver,
 };
 use rstest::rstest;
 
@@ -182,7 +182,10 @@ fn judged(solver: &dyn Solver, claims: &str) -> Report {
 /// What fails, and what else does not hold.
 fn open(report: &Report) -> Vec<(&'static str, Verdict)> {
     let claimed = report.findings.iter().filter(|it| it.claimed.is_some());
-    claimed.filter(|it| it.verdict != Verdict::Holds).map(|it| (it.name, it.verdict)).collect()
+    claimed
+        .filter(|it| it.verdict != Verdict::Holds)
+        .map(|it| (it.property.name(), it.verdict))
+        .collect()
 }
 
 /// Catches: a right solver that cannot be green since it runs forward only, or a question backwards
@@ -194,8 +197,8 @@ fn open(report: &Report) -> Vec<(&'static str, Verdict)> {
 fn what_runs_forward_holds(#[case] tableau: Tableau, #[case] claims: &str) {
     let report = judged(&Honest::of(tableau), claims);
     assert_eq!((report.verdict, open(&report)), (Verdict::Holds, vec![]), "{report}");
-    let back = report.finding("back").unwrap();
-    assert!(back.claimed.is_none() && back.why.contains("forward-only is claimed"), "{report}");
+    let back = report.finding(Property::Back).unwrap();
+    assert!(back.claimed.is_none() && back.why().contains("forward-only is claimed"), "{report}");
 }
 
 /// Catches: a right solver in single precision that cannot be green; bounds of double precision on
@@ -222,10 +225,10 @@ fn what_computes_in_single_precision_holds(
 fn single_precision_excuses_no_mistake() {
     let solver = Honest { single: true, ..Honest::of(BOGACKI_SHAMPINE) };
     let report = judged(&solver, "order=3 forward-only");
-    assert!(report.failures().any(|name| name == "precision"), "{report}");
+    assert!(report.failures().any(|name| name == Property::Precision), "{report}");
     let wrong = Honest { off: 0.01, ..solver };
     let report = judged(&wrong, "order=3 forward-only single-precision");
-    assert!(report.failures().any(|name| name == "tolerance"), "{report}");
+    assert!(report.failures().any(|name| name == Property::Tolerance), "{report}");
 }
 
 /// Catches: a cubic between the steps that cannot be green though it is claimed; one that is green
@@ -252,7 +255,7 @@ fn outputs_are_judged_by_their_degree(
     }
     let uncounted = Honest { counts: false, ..solver };
     let report = judged(&uncounted, &format!("order=5 forward-only {claim}"));
-    let output = report.finding("output").unwrap().verdict;
+    let output = report.finding(Property::Output).unwrap().verdict;
     let is_open = [Between::Cubic, Between::Line].contains(&between) && !claim.is_empty();
     assert!(!is_open || output == Verdict::Unclear, "{report}");
 }
@@ -274,7 +277,7 @@ fn a_closure_is_asked_for_the_impossible_if_it_refuses() {
     });
     let report = judge_solver(&solver, Claims::order(2).forward_only());
     assert_eq!((report.verdict, impossible.get()), (Verdict::Holds, 0), "{report}");
-    assert!(report.finding("refusal").unwrap().claimed.is_none(), "{report}");
+    assert!(report.finding(Property::Refusal).unwrap().claimed.is_none(), "{report}");
     let report = judge_solver(&solver, Claims::order(2).forward_only().refuses());
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
     assert!(impossible.get() >= 4);
@@ -300,7 +303,7 @@ fn equal_steps_in_single_precision_hold() {
     });
     let claims = Claims::order(2).symplectic().symmetric();
     let report = judge(&single, claims.clone());
-    assert!(report.failures().any(|name| name == "precision"), "{report}");
+    assert!(report.failures().any(|name| name == Property::Precision), "{report}");
     let report = judge(&single, claims.single_precision());
     assert_eq!(open(&report), [], "{report}");
     let coarse = FromFn(|g: f64, theta: f64, omega: f64, h: f64, n: u64| {

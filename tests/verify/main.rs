@@ -36,6 +36,7 @@ mod discrimination;
 mod equal_steps;
 mod equations;
 mod garbage;
+mod habits;
 mod honest;
 mod judged;
 mod looks;

@@ -9,6 +9,7 @@ use pendula::Phase;
 use pendula::methods::{Dop853, DormandPrince};
 use pendula_judge::zoo::recorded::{Recorded, Recording};
 use pendula_judge::zoo::solvers::{WrongSolver, wrong_solvers};
+use pendula_judge::zoo::tabled::{Habits, Table, Tabled};
 use pendula_judge::{
     ByTolerance, Claims, Fault, Kind, Property, Reply, Report, SolveFn, SolveRequest, Solver,
     Verdict, judge_solver,
@@ -272,6 +273,24 @@ fn another_equation_is_told(#[case] force: fn(f64) -> f64, #[case] kind: Kind) {
     let departure = report.departure.as_ref().unwrap_or_else(|| panic!("{report}"));
     assert_eq!(departure.kind(), kind, "{report}");
     assert_eq!(report.look_at()[0], format!("{}.", departure.sentence()), "{report}");
+}
+
+/// Fehlberg's pair, going on with its result of order 4: in long runs the error falls with a power
+/// between 4 and 5.
+///
+/// Catches: a claim of the order above that holds since a line is poor, or one of the right order
+/// that fails; a claim of the power below for the estimate that holds.
+#[rstest]
+#[case::right("order=4 estimate=5", &[])]
+#[case::order("order=5 estimate=5", &["order"])]
+#[case::estimate("order=4 estimate=4", &["estimate"])]
+#[case::both("order=5 estimate=4", &["estimate", "order"])]
+fn the_lower_result_of_a_pair_is_not_the_higher(#[case] claims: &str, #[case] fails: &[&str]) {
+    let lower = Tabled::new(Table::fehlberg().lower(), Habits::default());
+    let report = judge_solver(&lower, claims.parse().unwrap());
+    assert_eq!(failing(&report), fails, "{report}");
+    let holds = report.verdict == Verdict::Holds;
+    assert_eq!(holds, fails.is_empty(), "{report}");
 }
 
 /// DOP853, with this answer to a tolerance that makes no sense.

@@ -4,6 +4,7 @@ use crate::judge::equation::Departure;
 use crate::judge::identity::Identity;
 use crate::judge::verdict::{Trouble, Verdict};
 use crate::property::Property;
+use crate::solver_judge::OfSolver;
 
 /// What was found of one property.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -116,6 +117,8 @@ pub enum Measurement {
     },
     /// Whether it is the same beyond the usual states and steps.
     Beyond(Beyond),
+    /// That of a solver.
+    OfSolver(OfSolver),
     /// In words, with the reason.
     Said {
         /// What was measured.
@@ -304,6 +307,7 @@ impl Measurement {
                 Beyond::Small { .. } => "other-when-small",
                 Beyond::Long { .. } => "other-in-long-steps",
             },
+            Self::OfSolver(what) => what.name(),
             Self::Said { .. } => "said",
         }
     }

@@ -99,7 +99,8 @@ pub use property::Property;
 pub use solver::{
     ByTolerance, Crossings, CrossingsRequest, IntoReply, SolveFn, SolveRequest, Solver,
 };
-pub use solver_judge::{judge_solver, try_judge_solver};
+pub use solver_judge::found::{Ended, Ends, Falls, PowerOf, WrongPassage, WrongRows};
+pub use solver_judge::{DrivenCause, OfSolver, SolverCause, judge_solver, try_judge_solver};
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 #[doc(hidden)]
 pub use words::{

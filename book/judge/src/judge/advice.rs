@@ -11,6 +11,7 @@ use super::verdict::{Measured, Trouble, Verdict, told};
 use crate::finding::{Finding, Measurement};
 use crate::known_answers::{self, Known};
 use crate::property::Property;
+use crate::solver_judge::SolverCause;
 
 /// A cause of what fails.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,8 +91,8 @@ pub enum Cause {
     Nearest(Nearest),
     /// The program ended.
     BrokeOff(Trouble),
-    /// In words.
-    Said(String),
+    /// That of a solver.
+    OfSolver(SolverCause),
 }
 
 impl Cause {
@@ -110,7 +111,7 @@ impl Cause {
             Self::NotUndone => "not-undone",
             Self::Nearest(_) => "nearest-method",
             Self::BrokeOff(_) => "broke-off",
-            Self::Said(_) => "said",
+            Self::OfSolver(cause) => cause.name(),
         }
     }
 }

@@ -81,7 +81,12 @@ impl Scenes {
     /// of the frequency, grows with the time in the phase. Ten is what the largest of some thousand
     /// such sums may exceed their mean by. Steps are at most as many as evaluations.
     pub fn rounding(&self, evaluations: u64) -> f64 {
-        let phase = 1.0 + self.frequency() * self.duration;
+        self.rounding_in(evaluations, self.duration)
+    }
+
+    /// The same of a run of another duration (s).
+    pub fn rounding_in(&self, evaluations: u64, duration: f64) -> f64 {
+        let phase = 1.0 + self.frequency() * duration;
         10.0 * self.epsilon * libm::sqrt(evaluations as f64) * phase
     }
 }
@@ -164,6 +169,13 @@ pub struct Power {
     /// slopes of its two halves if that is more. The second is there because what bends a line is
     /// no chance: the higher terms of long steps.
     pub uncertainty: f64,
+}
+
+impl Power {
+    /// The power and its uncertainty.
+    pub const fn numbers(self) -> [f64; 2] {
+        [self.value, self.uncertainty]
+    }
 }
 
 /// The slope of a line through points (ln x, ln y), by least squares; of at least four, if it is

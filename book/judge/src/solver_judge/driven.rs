@@ -1,11 +1,12 @@
 //! Runs under a drive: whether the force knows the time wherever a solver asks for it.
 
 use super::asked::Asked;
-use super::ladder::Ladder;
+use super::cause::DrivenCause;
+use super::found::OfSolver;
+use super::ladder::{Ladder, RUNS};
 use super::outputs::Outputs;
-use crate::finding::Measurement;
+use crate::finding::{Finding, Measurement};
 use crate::judge::probe::pendulum;
-use crate::judge::report::{Finding, about, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::stranger::{Drive, driven as system};
 use pendula::adaptive::{Adaptive, Tolerance};
@@ -22,14 +23,14 @@ const START: [f64; 2] = [-0.7, 0.6];
 const KNOTS: usize = 6;
 const APART: f64 = 3.0;
 
-/// A part of the motion that is asked for, and what is to be said where it is wrong and those
-/// before it are right.
+/// A part of the motion that is asked for, and the cause where it is wrong and those before it are
+/// right.
 struct Part {
     name: &'static str,
     /// The first of its knots, and those that are asked for.
     from: usize,
     to: &'static [usize],
-    cause: &'static str,
+    cause: DrivenCause,
 }
 
 impl Part {
@@ -38,34 +39,14 @@ impl Part {
     }
 }
 
+/// The part in which the last of several outputs is asked for.
+const BETWEEN: usize = 3;
+
 const PARTS: [Part; 4] = [
-    Part {
-        name: "",
-        from: 0,
-        to: &[6],
-        cause: "Under a drive it is wrong: the force, or the times at which the stages ask for it.",
-    },
-    Part {
-        name: " from another t₀ on",
-        from: 2,
-        to: &[6],
-        cause: "Under a drive it is right from t₀ = 0 on and wrong from another: look at whether \
-                the force is asked for at the time or at that since the start.",
-    },
-    Part {
-        name: " backwards",
-        from: 6,
-        to: &[0],
-        cause: "Under a drive it is right forwards and wrong backwards: look at the times at which \
-                the stages ask for the force.",
-    },
-    Part {
-        name: " between steps",
-        from: 0,
-        to: &[1, 3, 5, 6],
-        cause: "Under a drive the ends of runs are right and other outputs wrong: look at the \
-                times at which the force is asked for where outputs come from.",
-    },
+    Part { name: "", from: 0, to: &[6], cause: DrivenCause::Wrong },
+    Part { name: " from another t₀ on", from: 2, to: &[6], cause: DrivenCause::Elsewhere },
+    Part { name: " backwards", from: 6, to: &[0], cause: DrivenCause::Backwards },
+    Part { name: " between steps", from: 0, to: &[1, 3, 5, 6], cause: DrivenCause::BetweenSteps },
 ];
 
 /// The worst error of a part (rad).
@@ -74,6 +55,26 @@ struct Worst {
     error: f64,
     /// What it may be.
     bound: f64,
+    tolerance: f64,
+    /// Whether the last of several outputs has it, and the others are right.
+    only_last: bool,
+}
+
+/// How many times the evaluations of a free run, for the same time, a driven one may need.
+///
+/// A step is as long as its estimate allows, whose power is q: if the derivatives in it are D times
+/// as large, it is D^(1/q) times as short. The force adds 0.4 to g/L, and its own derivatives are
+/// smaller, as it is slower than the swing: D is 1.4 at most, and steps are shorter by a fifth at
+/// most, with q = 2. Right solvers come to 0.8 to 1.2. A stage that asks for the force at another
+/// time than its own makes an estimate of first or second power, whose steps are ever so much
+/// shorter at small tolerances: with a node that is off by a hundredth, 2 to 30 times at 10⁻¹⁰.
+const MORE_WORK: f64 = 1.5;
+
+/// The most work of driven runs.
+#[derive(Clone, Copy, Debug)]
+struct Work {
+    /// Evaluations for the same time, over those of free runs.
+    ratio: f64,
     tolerance: f64,
 }
 
@@ -89,6 +90,8 @@ pub struct Driven {
     worst: [Option<Worst>; PARTS.len()],
     /// Why a part is not answered.
     refused: [Option<String>; PARTS.len()],
+    /// The most work, where it is counted.
+    work: Option<Work>,
 }
 
 impl Driven {
@@ -105,6 +108,7 @@ impl Driven {
         let time = |knot: usize| APART * knot as f64 / frequency;
         let mut worst = [None; PARTS.len()];
         let mut refused = PARTS.map(|_| None);
+        let mut work: Option<Work> = None;
         for tolerance in [1e-4, 1e-7, 1e-10] {
             let at_ends = ladder.error_at(tolerance);
             let elsewhere = outputs.map_or(0.0, |outputs| outputs.error_at(tolerance));
@@ -119,7 +123,15 @@ impl Driven {
                 let times: Vec<f64> = part.to.iter().map(|knot| time(*knot)).collect();
                 let run = scenes.run(truth[part.from], tolerance).from(time(part.from));
                 let states = match asked.reply(&run.driven(drive).to(&times)) {
-                    Ok(reply) => reply.states,
+                    Ok(reply) => {
+                        let long = time(KNOTS);
+                        let ratio = (k == 0 && tolerance < 1e-5)
+                            .then(|| ratio(ladder, tolerance, reply.evaluations?, long))
+                            .flatten();
+                        let more = ratio.filter(|it| work.is_none_or(|work| *it > work.ratio));
+                        work = more.map(|ratio| Work { ratio, tolerance }).or(work);
+                        reply.states
+                    }
                     // Who answers the first knows drives, if not in every run.
                     Err(Trouble::NoAnswer(why) | Trouble::Lost(why)) if k > 0 => {
                         refused[k] = Some(why);
@@ -128,15 +140,20 @@ impl Driven {
                     Err(trouble) => return Err(trouble),
                 };
                 let errors = part.to.iter().zip(states).map(|(k, z)| scenes.apart(z, truth[*k]));
-                let error = errors.fold(0.0, libm::fmaximum);
-                let found = Worst { error, bound: 30.0 * allowed + 1e-11, tolerance };
+                let errors: Vec<f64> = errors.collect();
+                let others = errors[..errors.len() - 1].iter().copied();
+                let others = others.fold(0.0, libm::fmaximum);
+                let error = libm::fmaximum(others, errors[errors.len() - 1]);
+                let bound = 30.0 * allowed + 1e-11;
+                let only_last = k == BETWEEN && others <= bound && error > bound;
+                let found = Worst { error, bound, tolerance, only_last };
                 if worst[k].is_none_or(|it: Worst| error / found.bound > it.error / it.bound) {
                     worst[k] = Some(found);
                 }
             }
         }
         match worst.iter().any(Option::is_some) {
-            true => Ok(Self { worst, refused }),
+            true => Ok(Self { worst, refused, work }),
             false => Err(Trouble::NoAnswer("no run is accurate enough to tell".to_string())),
         }
     }
@@ -147,23 +164,43 @@ impl Driven {
     }
 
     /// The first part that is wrong.
-    fn wrong(&self) -> Option<Part> {
-        self.parts().find(|(_, worst)| worst.verdict() == Verdict::Fails).map(|(part, _)| part)
+    fn wrong(&self) -> Option<(Part, Worst)> {
+        self.parts().find(|(_, worst)| worst.verdict() == Verdict::Fails)
     }
 
-    /// Why it is wrong, if that is not because every run `from_elsewhere` or every run `backwards`
-    /// is.
-    pub fn cause(&self, from_elsewhere: bool, backwards: bool) -> Option<&'static str> {
-        let part = self.wrong()?;
-        let is_known = part.from > 0 && (from_elsewhere || part.is_back() && backwards);
-        (!is_known).then_some(part.cause)
+    /// Why it is wrong, beside the errors (rad) of free runs `from_elsewhere` and `backwards`, which
+    /// may be as large.
+    pub fn cause(&self, from_elsewhere: f64, backwards: f64) -> Option<DrivenCause> {
+        let Some((part, worst)) = self.wrong() else {
+            let Work { ratio, tolerance } = self.too_much()?;
+            return Some(DrivenCause::Work { tolerance, times: ratio });
+        };
+        if worst.only_last {
+            return Some(DrivenCause::LastOutput);
+        }
+        let as_large = |free: f64| free > 0.3 * worst.error;
+        Some(if part.is_back() && as_large(backwards) {
+            DrivenCause::BackwardsAnyway(worst.error)
+        } else if part.from > 0 && as_large(from_elsewhere) {
+            DrivenCause::ElsewhereAnyway(worst.error)
+        } else {
+            part.cause
+        })
+    }
+
+    /// The work, if it is too much.
+    fn too_much(&self) -> Option<Work> {
+        self.work.filter(|work| work.ratio > MORE_WORK)
     }
 
     pub fn finding(&self) -> Finding {
         let ratio = |worst: &Worst| worst.error / worst.bound;
         let worst = self.parts().max_by(|a, b| ratio(&a.1).total_cmp(&ratio(&b.1)));
         let Some((part, worst)) = worst else { return Finding::default() };
-        let Worst { error, bound, tolerance } = worst;
+        if let (Some(work), false) = (self.too_much(), worst.verdict() == Verdict::Fails) {
+            return work.finding();
+        }
+        let Worst { error, bound, tolerance, .. } = worst;
         let refused = PARTS.iter().zip(&self.refused);
         let refused = || refused.clone().filter_map(|(part, why)| Some((part, why.as_ref()?)));
         // Whether it runs backwards at all is another property.
@@ -171,20 +208,31 @@ impl Driven {
             Verdict::Holds if refused().any(|(part, _)| !part.is_back()) => Verdict::Unclear,
             verdict => verdict,
         };
-        let not_told = refused().map(|(part, why)| format!("; no answer{}: {why}", part.name));
-        let measured = format!(
-            "under a force A cos Ωt off by {} rad{}, at a tolerance of {}{}",
-            scientific(error),
-            part.name,
-            about(tolerance),
-            not_told.collect::<String>()
-        );
-        let why = format!("thirty times what a free run errs there: {}", about(bound));
+        let refused = refused().map(|(part, why)| (part.name, why.clone())).collect();
+        let measurement = OfSolver::Driven { run: part.name, tolerance, refused };
         Finding {
-            measurement: Measurement::Said { measured, why },
+            measurement: Measurement::OfSolver(measurement),
             ..Finding::number(error, "rad", bound, verdict)
         }
     }
+}
+
+impl Work {
+    fn finding(&self) -> Finding {
+        let Self { ratio, tolerance } = *self;
+        let verdict = Verdict::of(ratio, MORE_WORK, 2.0);
+        Finding {
+            measurement: Measurement::OfSolver(OfSolver::DrivenWork { tolerance }),
+            ..Finding::number(ratio, "", MORE_WORK, verdict)
+        }
+    }
+}
+
+/// How many times the evaluations of free runs these are, for a run of that length (s).
+fn ratio(ladder: &Ladder, tolerance: f64, evaluations: u64, long: f64) -> Option<f64> {
+    let rung = ladder.at(tolerance)?;
+    let free = rung.evaluations? as f64 / RUNS as f64 / ladder.scenes.duration;
+    (free > 0.0).then(|| evaluations as f64 / long / free)
 }
 
 /// The driven motion at the knots, in units of time in which ω₀ is 1, by the library's method of

@@ -3,6 +3,7 @@
 
 use super::asked::Asked;
 use super::ladder::Ladder;
+use crate::judge::probe::exact;
 use crate::judge::try_judge;
 use crate::solver::SolveRequest;
 use crate::stranger::{Fault, Reply, Request, Stranger};
@@ -31,13 +32,58 @@ impl Stranger for AsSteps<'_> {
 }
 
 /// In what its equation, or what it hands out, departs from the pendulum; nothing of a solver that
-/// comes to the right end.
+/// comes to the right end, or to another for a reason that is not known to be its equation.
 pub fn departure(asked: Asked<'_>, ladder: &Ladder) -> Option<Departure> {
-    if ladder.by_tolerance().is_some() || ladder.rungs.len() < 4 {
+    let is_elsewhere = ladder.by_tolerance().is_none() || gravity(ladder).is_some();
+    if !is_elsewhere || ladder.rungs.len() < 4 {
         return None;
     }
     let tolerance = ladder.quick().map(|rung| rung.tolerance).fold(1e-3, f64::min);
     let report = try_judge(&AsSteps { asked, tolerance: tolerance.max(1e-11) }, Claims::order(1));
     // What breaks off here tells nothing of the equation.
     report.ok()?.departure
+}
+
+/// By what a factor of g/L differs from 1 at most, to be looked for here: beyond it no run is right.
+const FARTHEST: f64 = 0.1;
+
+/// The factor of g/L with which all runs would be right, if their errors stay where they are: each
+/// run has its own, and they are alike to a thousandth of what they differ from 1.
+fn gravity(ladder: &Ladder) -> Option<f64> {
+    ladder.floor()?;
+    let last = ladder.rungs.last()?;
+    let scenes = ladder.scenes;
+    let runs = scenes.starts.into_iter().zip(last.ends).zip(last.errors);
+    let factors: Option<Vec<f64>> = runs
+        .map(|((start, end), error)| {
+            let distance = |off: f64| {
+                let there = exact(scenes.g_over_l * (1.0 + off), start).at(scenes.duration);
+                scenes.apart(end, there)
+            };
+            let off = nearest(FARTHEST, distance);
+            (distance(off) < 0.01 * error).then_some(off)
+        })
+        .collect();
+    let factors = factors?;
+    let mean = factors.iter().sum::<f64>() / factors.len() as f64;
+    let alike = |off: &f64| (off - mean).abs() < 1e-3 * mean.abs();
+    factors.iter().all(alike).then_some(1.0 + mean)
+}
+
+/// Where this distance is least, from −`farthest` to `farthest`.
+pub fn nearest(farthest: f64, distance: impl Fn(f64) -> f64) -> f64 {
+    const LOOKS: u32 = 4000;
+    let at = |k: u32| farthest * (2.0 * f64::from(k) / f64::from(LOOKS) - 1.0);
+    let mut best =
+        (0..=LOOKS).map(at).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0.0);
+    let mut step = farthest / f64::from(LOOKS);
+    while step > 1e-10 * farthest {
+        for shifted in [best - step, best + step] {
+            if distance(shifted) < distance(best) {
+                best = shifted;
+            }
+        }
+        step *= 0.5;
+    }
+    best
 }

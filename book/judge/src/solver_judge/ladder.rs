@@ -4,6 +4,8 @@
 use std::time::Duration;
 
 use super::asked::{self, Asked, Power, Scenes, USUAL, largest_of, power};
+use super::found::Ended;
+use super::short;
 use crate::judge::verdict::{Measured, Trouble};
 use crate::solver::SolveRequest;
 use pendula::systems::Phase;
@@ -43,6 +45,11 @@ impl Rung {
         self.evaluations.map_or(10_000, |all| all / RUNS as u64)
     }
 
+    /// Whether its answers are those of another, to the bit, for as many evaluations.
+    fn equals(&self, other: &Self) -> bool {
+        self.ends == other.ends && self.evaluations == other.evaluations
+    }
+
     /// Whether its error is that of the steps, neither rounding nor as large as the motion.
     fn tells(&self) -> bool {
         self.mean() > 3.0 * self.rounding && self.largest() < 0.1
@@ -56,8 +63,6 @@ pub struct Floor {
     pub tolerance: f64,
     /// The error there (rad).
     pub error: f64,
-    /// Whether all runs from there on are the same, to the bit: the tolerance does nothing.
-    pub idle: bool,
 }
 
 /// The runs, from loose to tight.
@@ -68,13 +73,16 @@ pub struct Ladder {
     /// What came of each tolerance.
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
-    pub ended: Option<String>,
-    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these
-    /// come from polynomials of a degree; else none.
+    pub ended: Option<Ended>,
+    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these come
+    /// from polynomials of a degree; else none.
     pub outputs: Vec<(f64, f64)>,
     /// Two counts of evaluations for the same answers to the same requests, the first and the
     /// second time, if they differ. Such counts are left out.
     pub miscount: Option<[u64; 2]>,
+    /// The power of the number of evaluations with which the error of short runs falls, where it is
+    /// known.
+    pub in_short: Option<Power>,
 }
 
 /// 10⁻³, half a decade apart.
@@ -87,7 +95,7 @@ fn tolerance(k: i32) -> f64 {
 }
 
 /// The rungs through which lines are drawn: four decades of tolerances.
-const LAST: usize = 9;
+pub const LAST: usize = 9;
 
 /// The last is 10⁻¹³.
 const RUNGS: i32 = 21;
@@ -101,6 +109,16 @@ const ENOUGH: u64 = 200_000;
 /// But a line needs four rungs.
 const FEWEST: i32 = 3;
 
+/// So many equal answers, and one that is so many rungs on, show that the tolerance does nothing. A
+/// solver that halves all its steps has the same for a while, but not over four decades: that is a
+/// step of a half in an order of 12.
+const EQUAL: usize = 4;
+const ON: i32 = 5;
+
+/// Runs of so many evaluations are not long, and of so many are short.
+pub const NOT_LONG: u64 = 13_000;
+const SHORT: u64 = 4000;
+
 impl Ladder {
     /// Asks as far as patience allows.
     pub fn of(asked: Asked<'_>) -> Measured<Self> {
@@ -110,6 +128,7 @@ impl Ladder {
             ended: None,
             outputs: Vec::new(),
             miscount: None,
+            in_short: None,
         };
         let rungs = if asked.scenes.coarser() > 1.0 { SINGLE_RUNGS } else { RUNGS };
         let mut last = Duration::ZERO;
@@ -126,24 +145,26 @@ impl Ladder {
                     continue;
                 }
                 Err(Trouble::NoAnswer(why) | Trouble::Lost(why)) if !ladder.rungs.is_empty() => {
-                    ladder.ended =
-                        Some(format!("no answer at a tolerance of {tolerance:.0e}: {why}"));
+                    ladder.ended = Some(Ended::NoAnswer { tolerance, why });
                     break;
                 }
                 Err(trouble) => return Err(trouble),
             }
             let took = asked.solver.clock().saturating_sub(begun);
+            let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
+            let enough = evaluations.is_some_and(|n| n > ENOUGH) && k >= FEWEST;
+            if ladder.is_still() && (enough || k + ON < rungs && ladder.stays(asked, k + ON)?) {
+                break;
+            }
             // By what it grew, or by the most that half a decade may cost.
             let last_took = if k == 0 { took } else { last };
             let growth = (took.as_secs_f64() / last_took.as_secs_f64().max(1e-3)).clamp(1.0, 3.2);
             last = took;
-            let evaluations = ladder.rungs.last().and_then(|rung| rung.evaluations);
-            let enough = evaluations.is_some_and(|n| n > ENOUGH) && k >= FEWEST;
             // Where somebody counts, time is no measure: it goes by what else the machine does.
             let allowed = if evaluations.is_some() { patience } else { patience / 4 };
             if k + 1 < rungs && (enough || last.mul_f64(growth) > allowed * RUNS as u32) {
                 let at = ladder.rungs.last().map_or(0.0, |rung| rung.tolerance);
-                ladder.ended = Some(format!("smaller tolerances than {at:.0e} take too long"));
+                ladder.ended = Some(Ended::TooLong { tolerance: at });
                 break;
             }
         }
@@ -158,7 +179,40 @@ impl Ladder {
         if counts(ladder.rungs.last()) <= counts(ladder.rungs.first()) {
             ladder.rungs.iter_mut().for_each(|rung| rung.evaluations = None);
         }
+        ladder.in_short = short::order(asked, &ladder)?;
         Ok(ladder)
+    }
+
+    /// Whether the last answers are equal, to the bit.
+    fn is_still(&self) -> bool {
+        self.rungs.len() >= EQUAL
+            && self.rungs[self.rungs.len() - EQUAL..].windows(2).all(|two| two[0].equals(&two[1]))
+    }
+
+    /// Whether the answers at the tolerance of this number are those of the last rung; then it is
+    /// added. At the last tolerances nothing is left to be asked.
+    fn stays(&mut self, asked: Asked<'_>, k: i32) -> Measured<bool> {
+        let far = match rung(asked, tolerance(k)) {
+            Ok(far) => far,
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            Err(_) => return Ok(false),
+        };
+        let stays = self.rungs.last().is_some_and(|last| last.equals(&far));
+        if stays {
+            self.push(asked, far)?;
+        }
+        Ok(stays)
+    }
+
+    /// The tolerance from which on all answers are the same, to the bit, and their error, if that is
+    /// more than rounding: two decades of tolerances show it, or all that were asked for.
+    pub fn idle(&self) -> Option<Floor> {
+        let last = self.rungs.last()?;
+        let first = self.rungs.iter().rposition(|it| !it.equals(last)).map_or(0, |k| k + 1);
+        let flat = &self.rungs[first..];
+        let (tolerance, error) = (flat[0].tolerance, last.mean());
+        let is_long = first == 0 && flat.len() >= EQUAL || tolerance / last.tolerance > 90.0;
+        (is_long && error > 3.0 * last.rounding).then_some(Floor { tolerance, error })
     }
 
     /// Adds a rung; the first is asked for again at once.
@@ -221,6 +275,23 @@ impl Ladder {
         first.chain(others.filter(|rung| rung.evaluations.is_none_or(|n| n < ENOUGH)))
     }
 
+    /// The smallest tolerance to 10⁻¹¹ whose runs are not long.
+    pub fn smallest(&self) -> f64 {
+        self.smallest_within(NOT_LONG)
+    }
+
+    /// The smallest tolerance to 10⁻¹¹ whose runs are short, as many are asked for: where they
+    /// show what an error of usual size covers. The usual one if that is as small.
+    pub fn tight(&self) -> f64 {
+        let few = if self.counts() { SHORT } else { NOT_LONG };
+        self.smallest_within(few).min(self.usual())
+    }
+
+    fn smallest_within(&self, evaluations: u64) -> f64 {
+        let quick = |rung: &&Rung| rung.tolerance > 0.9e-11 && rung.a_run() < evaluations;
+        self.rungs.iter().filter(quick).map(|rung| rung.tolerance).fold(f64::INFINITY, f64::min)
+    }
+
     /// The tolerance of the runs whose tolerance does not matter: [`USUAL`], or the smallest that
     /// can be had in time.
     pub fn usual(&self) -> f64 {
@@ -243,6 +314,18 @@ impl Ladder {
         Err(Trouble::NoAnswer("no run is accurate enough to tell".to_string()))
     }
 
+    /// The rung of this tolerance.
+    pub fn at(&self, tolerance: f64) -> Option<&Rung> {
+        self.rungs.iter().find(|rung| (rung.tolerance / tolerance - 1.0).abs() < 0.1)
+    }
+
+    /// What is allowed a run of another kind with this tolerance (rad): ten times the error of a
+    /// usual one, and not less than rounding.
+    pub fn allowed(&self, tolerance: f64) -> f64 {
+        let rounding = self.at(tolerance).map_or(0.0, |rung| rung.rounding);
+        10.0 * self.error_at(tolerance).max(rounding)
+    }
+
     /// The same of states between steps.
     pub fn usual_between(&self) -> Measured<f64> {
         Ok(libm::fmaximum(self.usual_error()?, self.between_at(self.usual())))
@@ -254,6 +337,11 @@ impl Ladder {
         let near = |it: &&(f64, f64)| (libm::log10(it.0 / tolerance)).abs() < 1.1;
         let outputs = self.outputs.iter().filter(near).map(|it| it.1);
         outputs.fold(self.error_at(tolerance), libm::fmaximum)
+    }
+
+    /// The same of a state between steps.
+    pub fn allowed_between(&self, tolerance: f64) -> f64 {
+        self.allowed(tolerance).max(10.0 * self.between_at(tolerance))
     }
 
     /// What the error of a run with this tolerance may be: the largest at it and at its neighbours.
@@ -297,10 +385,8 @@ impl Ladder {
         let first = self.rungs.iter().position(|rung| rung.mean() < 3.0 * least)?;
         let flat = &self.rungs[first..];
         let is_flat = flat[0].tolerance / last.tolerance > 90.0;
-        let same = |it: &Rung| it.ends == last.ends && it.evaluations == last.evaluations;
-        let idle = flat[1..].iter().all(same);
         let is_more = least > 3.0 * last.rounding;
-        let floor = Floor { tolerance: flat[0].tolerance, error: least, idle };
+        let floor = Floor { tolerance: flat[0].tolerance, error: least };
         (is_flat && is_more && least < 0.1).then_some(floor)
     }
 }
@@ -394,5 +480,38 @@ mod tests {
         assert_eq!(report.evidence.tolerances.len(), RUNGS as usize, "{report}");
         let many = &report.finding(Property::Many).unwrap().measured();
         assert!(many.starts_with("10000 outputs, off by "), "{many}");
+    }
+
+    /// A right solver that is asked for another tolerance than it takes, and counts its answers.
+    struct Deaf(Cell<u32>, fn(f64) -> f64);
+
+    impl Solver for Deaf {
+        fn solve(&self, request: &SolveRequest) -> Result<Reply, Fault> {
+            self.0.set(self.0.get() + 1);
+            let tolerance = self.1(request.tolerance);
+            ByTolerance::new(Dop853).solve(&SolveRequest { tolerance, ..request.clone() })
+        }
+    }
+
+    /// Catches: a tolerance that does nothing asked for down to the last, which may take minutes; one
+    /// that does nothing over two decades only, as of a solver that halves its steps, taken for it.
+    #[test]
+    fn a_tolerance_that_does_nothing_is_told_by_four_answers() {
+        let climbed = |taken| {
+            let deaf = Deaf(Cell::new(0), taken);
+            let ladder = Ladder::of(Asked { solver: &deaf, scenes: Scenes::USUAL }).unwrap();
+            let idle = ladder.idle().map(|floor| floor.tolerance);
+            (ladder.rungs.len(), idle, deaf.0.get())
+        };
+        let (rungs, idle, answers) = climbed(|_| 1e-5);
+        // Four, one far on, and the first again, of three runs each.
+        assert_eq!((rungs, idle, answers), (5, Some(1e-3), 18));
+        let (rungs, idle, _) = climbed(|tolerance| tolerance.max(1e-5));
+        assert_eq!(rungs, 9, "10⁻³ to 10⁻⁵, three more, and one far on");
+        assert!(idle.is_some_and(|at| (at / 1e-5 - 1.0).abs() < 1e-9), "{idle:?}");
+        // In steps of a hundred: what is asked for at 10⁻⁴, 3 · 10⁻⁵, 10⁻⁵ and 3 · 10⁻⁶ is one.
+        let in_hundreds = |tolerance: f64| 10_f64.powf(2.0 * (0.5 * tolerance.log10()).floor());
+        let (rungs, idle, _) = climbed(in_hundreds);
+        assert_eq!((rungs, idle), (RUNGS as usize, None));
     }
 }

@@ -1,22 +1,27 @@
 //! The judge of solvers that choose their steps by a tolerance, property by property.
 
 mod asked;
+mod cause;
 mod crossings;
 mod driven;
 mod equation;
+pub(crate) mod found;
 mod ladder;
 mod look;
 mod outputs;
 mod refusal;
 mod rows;
 mod same;
+mod short;
 mod steps;
 
 use asked::{Asked, Scenes};
 #[cfg(feature = "zoo")]
 pub(crate) use asked::{errors, single};
+pub use cause::{DrivenCause, SolverCause};
 use crossings::Passages;
 use driven::Driven;
+pub use found::OfSolver;
 use ladder::Ladder;
 use outputs::Outputs;
 #[cfg(feature = "zoo")]
@@ -84,6 +89,8 @@ struct Found {
     driven: Option<Driven>,
     /// The state of the rotation after half the time, at the last tolerance.
     halfway: Option<Phase>,
+    /// Its states on the way, at these times (s), of one run.
+    on_the_way: Option<Vec<(f64, Phase)>>,
 }
 
 /// The report, property by property.
@@ -123,6 +130,21 @@ fn halfway(asked: Asked<'_>, ladder: &Ladder) -> Option<Phase> {
     let Scenes { starts, duration, .. } = asked.scenes;
     let run = asked.scenes.run(starts[ladder::RUNS - 1], ladder.rungs.last()?.tolerance);
     Some(asked.reply(&run.to(&[0.5 * duration])).ok()?.states[0])
+}
+
+/// So many states of the rotation on its way, at equal distances: few enough to be recorded.
+const ON_THE_WAY: u32 = 12;
+
+/// These, at the last tolerance, of a solver that does not come to the right end.
+fn on_the_way(asked: Asked<'_>, ladder: &Ladder) -> Option<Vec<(f64, Phase)>> {
+    let Scenes { starts, duration, .. } = asked.scenes;
+    if ladder.by_tolerance().is_some() && ladder.floor().is_none() {
+        return None;
+    }
+    let times = asked::evenly(ON_THE_WAY, duration);
+    let run = asked.scenes.run(starts[ladder::RUNS - 1], ladder.rungs.last()?.tolerance);
+    let states = asked.reply(&run.to(&times)).ok()?.states;
+    Some(times.into_iter().zip(states).collect())
 }
 
 /// What is to be said of what was found.
@@ -182,10 +204,11 @@ fn take_all(
         outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
     report.departure = equation::departure(asked, &ladder);
     let halfway = halfway(asked, &ladder);
+    let on_the_way = on_the_way(asked, &ladder);
     let refuses = claims.refuses.then(|| "refuses".to_string());
     report.note(Property::Refusal, refuses, refusal::finding(asked, claims.refuses))?;
     let (passages, driven) = (passages.ok(), driven.ok());
-    Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway })
+    Ok(Found { scenes: asked.scenes, ladder, outputs, passages, driven, halfway, on_the_way })
 }
 
 #[cfg(test)]

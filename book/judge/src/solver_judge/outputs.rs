@@ -1,10 +1,11 @@
 //! States between the steps: whether they are as good as the steps.
 
 use super::asked::{self, Asked, Power, evenly, largest_of, power, single};
+use super::cause::SolverCause;
+use super::found::OfSolver;
 use super::ladder::Ladder;
 use super::steps::by_claim;
-use crate::finding::Measurement;
-use crate::judge::report::{Finding, about, scientific};
+use crate::finding::{Finding, Measurement};
 use crate::judge::verdict::{Measured, Verdict};
 
 /// States asked for in a run.
@@ -25,6 +26,8 @@ struct Compared {
     outputs: f64,
     /// The largest of the parts' smallest errors (rad), which are those beside the ends of steps.
     steps: f64,
+    /// Those smallest errors alone, however large they are (rad).
+    least: f64,
     /// What rounding may make of either (rad).
     rounding: f64,
     evaluations: Option<u64>,
@@ -62,7 +65,7 @@ impl Outputs {
             outputs.single &= single(&states[..states.len() - 1]);
             let errors = asked::errors(&request, &states);
             let least = |part: &[f64]| part.iter().copied().fold(f64::INFINITY, libm::fminimum);
-            let steps = errors.chunks(OUTPUTS as usize / PARTS).map(least);
+            let steps = largest_of(errors.chunks(OUTPUTS as usize / PARTS).map(least));
             // The end itself is no state between steps.
             let between = errors.iter().take(OUTPUTS as usize - 1).copied();
             let largest = largest_of(between);
@@ -70,7 +73,8 @@ impl Outputs {
                 tolerance: rung.tolerance,
                 outputs: largest,
                 // No better than these are the ends of runs.
-                steps: largest_of(steps).min(3.0 * rung.largest()),
+                steps: steps.min(3.0 * rung.largest()),
+                least: steps,
                 rounding: rung.rounding,
                 evaluations: rung.evaluations,
             });
@@ -110,12 +114,13 @@ impl Outputs {
         self.compared.iter().filter(near).map(|it| it.outputs).fold(0.0, libm::fmaximum)
     }
 
-    /// How many times worse than it may be the worst output is, tolerance by tolerance. It may be
+    /// How many times worse than it may be the worst output is, tolerance by tolerance, where the
+    /// steps are right. It may be
     /// as bad as the steps; and, since a tolerance is what a user asks for, as many tolerances off
     /// as outputs are at looser ones, which an interpolant of the power of the estimate keeps.
     fn ratios(&self) -> impl Iterator<Item = (f64, &Compared)> {
         let mut tolerances = f64::INFINITY;
-        self.compared.iter().filter(|it| it.outputs < 0.5).map(move |it| {
+        self.compared.iter().filter(|it| it.least < 0.1 || it.outputs < 0.5).map(move |it| {
             let least = it.steps.max(tolerances * it.tolerance).max(it.rounding);
             tolerances = tolerances.min(it.outputs / it.tolerance);
             (it.outputs / least, it)
@@ -138,25 +143,13 @@ impl Outputs {
     }
 
     /// Why they are worse than the steps.
-    pub fn cause(&self) -> String {
-        if self.single {
-            return "Outputs between steps are numbers of single precision.".to_string();
+    pub fn cause(&self) -> SolverCause {
+        SolverCause::Outputs {
+            single: self.single,
+            ends_too: self.interpolated_end,
+            degree: self.degree,
+            power: self.power().filter(|power| power.value > 0.7).map(Power::numbers),
         }
-        let power = self.power().filter(|power| power.value > 0.7);
-        let what = match (self.degree, power) {
-            (None, None) => {
-                return "Outputs between steps are worse than the steps, and as bad at small \
-                        tolerances: digits are cut off, or times."
-                    .to_string();
-            }
-            _ if self.interpolated_end => "The end of a run is interpolated, like all outputs",
-            _ => "Outputs between steps are worse than the steps",
-        };
-        let on = self.degree.map(|degree| format!(": they come from {}", polynomial(degree)));
-        let falls = power.map(|power| {
-            format!("; their error falls with the power {} of the step", in_words(power))
-        });
-        format!("{what}{}{}.", on.unwrap_or_default(), falls.unwrap_or_default())
     }
 
     /// What is to be said of them: that they are as good as the steps, or, where it is claimed that
@@ -168,36 +161,27 @@ impl Outputs {
             let (Some(_), Some(it)) = (degree, right) else {
                 return Finding::nothing("no run is accurate enough to tell".to_string());
             };
-            let measured = format!(
-                "the worst of {OUTPUTS} states between steps is off by {} rad, the steps by {}, at \
-                 a tolerance of {}",
-                scientific(it.outputs),
-                scientific(it.steps),
-                about(it.tolerance)
-            );
-            let why = "at no tolerance are they off by less than 0.5 rad".to_string();
-            let ratio = it.outputs / it.steps.max(it.rounding);
+            let Compared { tolerance, outputs, steps, rounding, .. } = *it;
+            let measurement = OfSolver::Between {
+                tolerance,
+                outputs,
+                steps,
+                count: OUTPUTS,
+                single: self.single,
+                power: None,
+                claimed: None,
+            };
             return Finding {
-                measurement: Measurement::Said { measured, why },
-                ..Finding::number(ratio, "", HOLDS, Verdict::Fails)
+                measurement: Measurement::OfSolver(measurement),
+                ..Finding::number(outputs / steps.max(rounding), "", HOLDS, Verdict::Fails)
             };
         };
         let Compared { tolerance, outputs, steps, .. } = *worst;
-        if self.single {
-            let measured = format!(
-                "states between steps are numbers of single precision, off by {} rad at a \
-                 tolerance of {}",
-                scientific(outputs),
-                about(tolerance)
-            );
-            let why = "a double has sixteen digits, and a single seven".to_string();
-            return Finding {
-                measurement: Measurement::Said { measured, why },
-                ..Finding::number(ratio, "", HOLDS, Verdict::Fails)
-            };
-        }
-        let verdict = Verdict::of(ratio, HOLDS, WORSE);
-        let (worse, power) = (verdict != Verdict::Holds, self.power());
+        let verdict = match self.single {
+            true => Verdict::Fails,
+            false => Verdict::of(ratio, HOLDS, WORSE),
+        };
+        let (worse, power) = (verdict != Verdict::Holds && !self.single, self.power());
         let verdict = match (degree, power) {
             (Some(degree), Some(power)) if worse => match power.value > f64::from(degree + 1) {
                 true => Verdict::Holds,
@@ -207,35 +191,26 @@ impl Outputs {
             (Some(_), None) if worse => Verdict::Unclear,
             _ => verdict,
         };
-        let falls = |power| format!("; they fall with the power {}", in_words(power));
-        let power = power.map(falls).filter(|_| degree.is_some() || verdict == Verdict::Fails);
-        let measured = format!(
-            "the worst of {OUTPUTS} states between steps is off by {} rad, the steps by {}, at a \
-             tolerance of {}{}",
-            scientific(outputs),
-            scientific(steps),
-            about(tolerance),
-            power.unwrap_or_default()
-        );
-        if let (Some(degree), true) = (degree, worse) {
-            let why = format!(
-                "from polynomials of degree {degree} they fall with the power {} of the step",
-                degree + 1
-            );
+        let told = degree.is_some() || verdict == Verdict::Fails;
+        let measurement = OfSolver::Between {
+            tolerance,
+            outputs,
+            steps,
+            count: OUTPUTS,
+            single: self.single,
+            power: power.filter(|_| told).map(Power::numbers),
+            claimed: degree.filter(|_| worse),
+        };
+        if degree.is_some() && worse {
             return Finding {
-                measurement: Measurement::Said { measured, why },
+                measurement: Measurement::OfSolver(measurement),
                 values: vec![ratio],
                 verdict,
                 ..Finding::default()
             };
         }
-        let why = format!(
-            "{} times worse than its steps, and than its outputs at looser tolerances are for \
-             theirs; up to {HOLDS:.0} may be chance",
-            rounded(ratio)
-        );
         Finding {
-            measurement: Measurement::Said { measured, why },
+            measurement: Measurement::OfSolver(measurement),
             ..Finding::number(ratio, "", HOLDS, verdict)
         }
     }
@@ -248,22 +223,6 @@ const HOLDS: f64 = 8.0;
 const SINGLE: f64 = 4e-5;
 /// Beyond this ratio they are worse.
 const WORSE: f64 = 10.0;
-
-/// A ratio to read.
-pub fn rounded(ratio: f64) -> String {
-    if ratio < 10.0 {
-        format!("{ratio:.1}")
-    } else if ratio < 1e4 {
-        format!("{ratio:.0}")
-    } else {
-        about(ratio).to_string()
-    }
-}
-
-/// A power with its uncertainty.
-pub fn in_words(power: Power) -> String {
-    format!("{:.1} ± {:.1}", power.value, libm::fmax(power.uncertainty, 0.1))
-}
 
 // -------------------------------------------------------------------------------------------------
 // The polynomial they lie on
@@ -303,16 +262,4 @@ fn degree(asked: Asked<'_>, ladder: &Ladder) -> Measured<Option<usize>> {
         }
     }
     Ok(found.iter().position(|windows| *windows >= 3))
-}
-
-/// A polynomial of this degree.
-fn polynomial(degree: usize) -> String {
-    match degree {
-        0 => "the ends of steps".to_string(),
-        1 => "a straight line".to_string(),
-        2 => "a parabola".to_string(),
-        3 => "a cubic".to_string(),
-        4 => "a quartic".to_string(),
-        degree => format!("a polynomial of degree {degree}"),
-    }
 }

@@ -2,10 +2,10 @@
 //! asked for, and how the time goes with their number.
 
 use super::asked::{self, Asked, evenly, largest_of};
+use super::found::{Ends, OfSolver, WrongRows};
 use super::ladder::Ladder;
-use super::outputs::{OUTPUTS, rounded};
-use crate::finding::Measurement;
-use crate::judge::report::{Finding, about, scientific};
+use super::outputs::OUTPUTS;
+use crate::finding::{Finding, Measurement};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 
 /// By how many ε an interpolant may miss the end of its own step, relative to the state: it is a
@@ -14,16 +14,34 @@ use crate::judge::verdict::{Measured, Trouble, Verdict};
 /// moved changes the end by a part of the tolerance, which is thousands of times more.
 const ROUNDED: f64 = 100.0;
 
+/// By how much more than the end of a run a state between steps may be off at a tight tolerance,
+/// where it may be as much worse than the steps as [outputs](super::outputs) may.
+const OUTPUT: f64 = 3.0;
+
 /// Whether a run ends in the same state with outputs and without; where it is claimed that they are
-/// free, but for rounding.
+/// free, but for rounding. At the usual tolerance, and at a tight one, where an end that is off by
+/// less shows: what is found there is said if it is not right.
 pub fn free(asked: Asked<'_>, ladder: &Ladder, claimed: bool) -> Measured<Finding> {
-    let run = ladder.run(asked.scenes.starts[0]);
+    ladder.usual_error()?;
+    let usual = free_at(asked, ladder, ladder.usual(), claimed)?;
+    if usual.verdict == Verdict::Fails || ladder.tight() >= ladder.usual() {
+        return Ok(usual);
+    }
+    match free_at(asked, ladder, ladder.tight(), claimed) {
+        Ok(tight) if tight.verdict == Verdict::Fails => Ok(tight),
+        Ok(_) | Err(Trouble::NoAnswer(_) | Trouble::Lost(_)) => Ok(usual),
+        Err(trouble) => Err(trouble),
+    }
+}
+
+fn free_at(asked: Asked<'_>, ladder: &Ladder, tolerance: f64, claimed: bool) -> Measured<Finding> {
+    let run = asked.scenes.run(asked.scenes.starts[0], tolerance);
     let alone = run.clone().to(&[asked.scenes.duration]);
     let outputs = run.to(&evenly(OUTPUTS, asked.scenes.duration));
     let replies = [asked.reply(&alone)?, asked.reply(&outputs)?];
     let ends = replies.each_ref().map(|reply| reply.states[reply.states.len() - 1]);
     let [without, with] = ends.map(|end| asked::errors(&alone, &[end])[0]);
-    let bound = 10.0 * ladder.usual_error()?;
+    let bound = ladder.allowed(tolerance);
     let largest = ends[0].theta.abs().max(ends[0].omega.abs() / asked.scenes.frequency());
     let to_the_bit = ends[0] == ends[1];
     let same = to_the_bit
@@ -36,31 +54,15 @@ pub fn free(asked: Asked<'_>, ladder: &Ladder, claimed: bool) -> Measured<Findin
         Verdict::Holds if claimed && !same => Verdict::Fails,
         other => other,
     };
-    let what = match (same, with > bound) {
-        (true, _) if to_the_bit => "free: the same end to the bit".to_string(),
-        (true, _) => "free: the same end but for rounding".to_string(),
-        (_, true) => format!(
-            "{OUTPUTS} outputs change the end from {} to {} rad",
-            scientific(without),
-            scientific(with)
-        ),
-        _ if more > 1.5 => "it stops at them".to_string(),
-        _ => "an end as good, but not the same".to_string(),
+    let ends = match (same, with > bound) {
+        (true, _) if to_the_bit => Ends::Same,
+        (true, _) => Ends::ButForRounding,
+        (_, true) => Ends::Wrong,
+        _ => Ends::AsGood,
     };
-    let cost = match more > 1.0 {
-        true => format!(", with {} times the evaluations", rounded(more)),
-        false => String::new(),
-    };
-    let why = format!(
-        "the end is off by {} rad without outputs and by {} with them; a run with this tolerance \
-         may be off by {}",
-        scientific(without),
-        scientific(with),
-        about(bound)
-    );
-    let measured = what + &cost;
+    let measurement = OfSolver::Free { ends, without, count: OUTPUTS, more };
     Ok(Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(measurement),
         ..Finding::number(with, "rad", bound, verdict)
     })
 }
@@ -82,7 +84,20 @@ const CLOSE_SINGLE: f64 = 1e-6;
 /// Whether there are as many rows as were asked for, each at its time; of a solver that runs
 /// `forward_only`, of runs forward.
 pub fn all(asked: Asked<'_>, ladder: &Ladder, forward_only: bool) -> Measured<Finding> {
-    let bound = 10.0 * ladder.usual_between()?;
+    let usual = all_at(asked, ladder.usual(), 10.0 * ladder.usual_between()?, forward_only)?;
+    if usual.verdict != Verdict::Holds || ladder.tight() >= ladder.usual() {
+        return Ok(usual);
+    }
+    let tight = ladder.tight();
+    match all_at(asked, tight, OUTPUT * ladder.allowed_between(tight), forward_only) {
+        Ok(tight) if tight.verdict == Verdict::Fails => Ok(tight),
+        // What a small tolerance is refused for is no matter of rows.
+        Ok(_) | Err(Trouble::Lost(_)) => Ok(usual),
+        Err(trouble) => Err(trouble),
+    }
+}
+
+fn all_at(asked: Asked<'_>, tolerance: f64, bound: f64, forward_only: bool) -> Measured<Finding> {
     let (mut wrong, mut refused, mut worst) = (Vec::new(), Vec::new(), 0.0);
     let close = if asked.scenes.coarser() > 1.0 { CLOSE_SINGLE } else { CLOSE };
     let close: Vec<f64> = (0..1000).map(|k| 0.5 + close * f64::from(k)).collect();
@@ -90,27 +105,26 @@ pub fn all(asked: Asked<'_>, ladder: &Ladder, forward_only: bool) -> Measured<Fi
     let possible = |times: &[f64]| !(forward_only && times.iter().any(|time| *time < 0.0));
     for (name, times) in ROWS.into_iter().chain([within]).filter(|it| possible(it.1)) {
         let times: Vec<f64> = times.iter().map(|part| part * asked.scenes.duration).collect();
-        match asked.errors(&ladder.run(asked.scenes.starts[0]).to(&times)) {
+        match asked.errors(&asked.scenes.run(asked.scenes.starts[0], tolerance).to(&times)) {
             Ok(errors) => {
                 let largest = largest_of(errors);
                 worst = libm::fmaximum(worst, largest);
                 if largest > bound {
-                    wrong.push(format!("{name}: off by {} rad", scientific(largest)));
+                    wrong.push((name, WrongRows::Off(largest)));
                 }
             }
             Err(trouble @ (Trouble::Broken(_) | Trouble::Lost(_))) => return Err(trouble),
-            Err(Trouble::NoAnswer(why)) => refused.push(format!("{name}: {why}")),
-            Err(trouble) => wrong.push(format!("{name}: {trouble}")),
+            Err(Trouble::NoAnswer(why)) => refused.push((name, why)),
+            Err(trouble) => wrong.push((name, WrongRows::Trouble(trouble))),
         }
     }
-    let (verdict, measured) = match (&wrong[..], &refused[..]) {
-        ([], []) => (Verdict::Holds, "as many as asked for, at times of all kinds".to_string()),
-        ([], refused) => (Verdict::Unclear, format!("refused: {}", refused.join("; "))),
-        (wrong, _) => (Verdict::Fails, wrong.join("; ")),
+    let verdict = match (&wrong[..], &refused[..]) {
+        ([], []) => Verdict::Holds,
+        ([], _) => Verdict::Unclear,
+        _ => Verdict::Fails,
     };
-    let why = format!("each time has its row, off by {} rad at most", about(bound));
     Ok(Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(OfSolver::Rows { wrong, refused }),
         ..Finding::number(worst, "rad", bound, verdict)
     })
 }
@@ -160,22 +174,29 @@ pub fn many(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
             took = timed(count)?.0;
         }
     }
-    let (largest, bound) = (largest_of(errors), 10.0 * ladder.usual_between()?);
-    let (verdict, measured) = match slow(tenth, took) {
-        true => {
-            let ratio = took / tenth.max(1e-9);
-            let slow = format!("{took:.1} s, {ratio:.0} times as long as a tenth of them");
-            (Verdict::Fails, format!("{count} outputs take {slow}"))
+    let (mut largest, mut bound) = (largest_of(errors), 10.0 * ladder.usual_between()?);
+    let mut tolerance = None;
+    // Where an error of the usual size covers nothing.
+    if ladder.tight() < ladder.usual() {
+        let request = asked.scenes.run(asked.scenes.starts[0], ladder.tight());
+        let tight = asked.errors(&request.to(&evenly(MANY / 10, asked.scenes.duration)));
+        let allowed = OUTPUT * ladder.allowed_between(ladder.tight());
+        match tight.map(largest_of) {
+            Ok(error) if error > allowed && error / allowed > largest / bound => {
+                (largest, bound) = (error, allowed);
+                tolerance = Some(ladder.tight());
+            }
+            Err(Trouble::Broken(why)) => return Err(Trouble::Broken(why)),
+            _ => {}
         }
-        false => {
-            let off = format!("off by {} rad at most", scientific(largest));
-            (Verdict::of(largest, bound, bound), format!("{count} outputs, {off}"))
-        }
+    }
+    let (verdict, too_long) = match slow(tenth, took) {
+        true => (Verdict::Fails, Some(took)),
+        false => (Verdict::of(largest, bound, bound), None),
     };
-    let why =
-        format!("a tenth of them took {tenth:.2} s; a run may be off by {} rad", about(bound));
+    let measurement = OfSolver::Many { count, took: [too_long, Some(tenth)], tolerance };
     Ok(Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(measurement),
         ..Finding::number(largest, "rad", bound, verdict)
     })
 }

@@ -5,11 +5,10 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use super::asked::{Asked, Power, Scenes, single};
+use super::found::{Falls, OfSolver, PowerOf};
 use super::ladder::{Ladder, Rung};
-use super::outputs::{in_words, rounded};
 use crate::Description;
-use crate::finding::Measurement;
-use crate::judge::report::{Finding, about, scientific};
+use crate::finding::{Finding, Measurement};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 use crate::solver::{ByTolerance, Solver};
 use pendula::methods::{Dop853, DormandPrince};
@@ -31,6 +30,14 @@ const AN_EVALUATION: f64 = 20.0;
 /// Of a method of order p with an estimate of power q at most p + 1, the error goes as tol^(p/q):
 /// at least as tol^(p/(p + 1)), and a fifth less is allowed for what bends the line.
 pub fn tolerance(ladder: &Ladder, ours: &Ours) -> Finding {
+    if let Some(idle) = ladder.idle().filter(|_| ladder.by_tolerance().is_none()) {
+        return Finding {
+            measurement: Measurement::OfSolver(OfSolver::Idle { tolerance: idle.tolerance }),
+            values: vec![idle.error],
+            verdict: Verdict::Fails,
+            ..Finding::default()
+        };
+    }
     let Some(slope) = ladder.by_tolerance() else {
         return no_slope(ladder);
     };
@@ -47,32 +54,25 @@ pub fn tolerance(ladder: &Ladder, ours: &Ours) -> Finding {
     let verdicts = [by_floor, by_rise, by_slope, by_evaluation];
     let verdict = [Verdict::Fails, Verdict::Unclear].into_iter().find(|it| verdicts.contains(it));
     let verdict = verdict.unwrap_or(Verdict::Holds);
-    let measured = match (ladder.floor(), by_rise, &ladder.ended) {
-        (Some(floor), _, _) => format!(
-            "below {} the error stays at {} rad",
-            about(floor.tolerance),
-            scientific(floor.error)
-        ),
-        (None, Verdict::Fails, _) => {
-            format!("at {} the error rises {} times", about(at), rounded(rise))
-        }
-        (None, _, ended) => format!(
-            "the error goes as tol^{}; it is {} times the tolerance at {}{}",
-            in_words(slope),
-            rounded(multiple(ladder, ladder.usual())),
-            about(ladder.usual()),
-            ended.as_ref().map(|why| format!("; {why}")).unwrap_or_default()
-        ),
+    let how = match (ladder.floor(), by_rise) {
+        (Some(floor), _) => Falls::Stays([floor.tolerance, floor.error]),
+        (None, Verdict::Fails) => Falls::Rises([at, rise]),
+        (None, _) => Falls::As {
+            power: slope.numbers(),
+            times: multiple(ladder, ladder.usual()),
+            tolerance: ladder.usual(),
+            ended: ladder.ended.clone(),
+        },
     };
-    let why = format!(
-        "it has to fall at least as tol^{least:.2}, never to rise more than {RISE:.0} times, and \
-         to be {AN_EVALUATION:.0} tolerances at most for each evaluation ({}); Dormand–Prince's is \
-         {} times the tolerance",
-        ladder.an_evaluation().map_or("–".to_string(), |(times, _)| rounded(times)),
-        rounded(multiple(&ours.dormand_prince, ladder.usual()))
-    );
+    let measurement = OfSolver::Falls {
+        how,
+        least,
+        most: [RISE, AN_EVALUATION],
+        an_evaluation: ladder.an_evaluation().map(|(times, _)| times),
+        ours: multiple(&ours.dormand_prince, ladder.usual()),
+    };
     Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(measurement),
         values: vec![slope.value, rise],
         verdict,
         ..Finding::default()
@@ -82,18 +82,13 @@ pub fn tolerance(ladder: &Ladder, ours: &Ours) -> Finding {
 /// What is to be said where too few errors tell.
 fn no_slope(ladder: &Ladder) -> Finding {
     if let Some(ended) = &ladder.ended {
-        return Finding::nothing(ended.clone());
+        return Finding::nothing(ended.to_string());
     }
     let worst = ladder.rungs.iter().map(Rung::largest).fold(0.0, libm::fmaximum);
     // All of them rounding is better than asked.
     let verdict = if worst < 1e-6 { Verdict::Unclear } else { Verdict::Fails };
-    let measured = format!(
-        "of {} runs fewer than four have an error between rounding and 0.1 rad",
-        ladder.rungs.len()
-    );
-    let why = "a line needs four points".to_string();
     Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(OfSolver::TooFew { runs: ladder.rungs.len() }),
         ..Finding::number(worst, "rad", 0.1, verdict)
     }
 }
@@ -123,8 +118,10 @@ impl Ours {
 
     fn run(scenes: Scenes) -> Self {
         let of = |solver: &dyn Solver| {
-            let (rungs, outputs) = Default::default();
-            let nothing = Ladder { scenes, rungs, ended: None, outputs, miscount: None };
+            let nothing = {
+                let (rungs, outputs) = Default::default();
+                Ladder { scenes, rungs, ended: None, outputs, miscount: None, in_short: None }
+            };
             Ladder::of(Asked { solver, scenes }).unwrap_or(nothing)
         };
         Self {
@@ -163,24 +160,24 @@ pub fn hopeless(ladder: &Ladder) -> bool {
 pub fn estimate(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     counted(ladder)?;
     let power = ladder.estimate().ok_or_else(too_few)?;
-    let (verdict, why) = match claimed {
-        Some(claimed) => (by_claim(power, claimed), window(claimed)),
-        None => (
-            if hopeless(ladder) { Verdict::Fails } else { Verdict::Holds },
-            "of first power is only an estimate with a wrong weight, or that of a low order".into(),
-        ),
+    let verdict = match claimed {
+        Some(claimed) => by_claim(power, claimed),
+        None if hopeless(ladder) => Verdict::Fails,
+        None => Verdict::Holds,
     };
-    let measured = format!(
-        "evaluations grow as tol^(−1/q) with q = {}{}",
-        in_words(power),
-        varies(power, claimed)
-    );
-    Ok(Finding {
-        measurement: Measurement::Said { measured, why },
+    Ok(of_power(PowerOf::Estimate, power, claimed, verdict))
+}
+
+/// What is to be said of a power.
+fn of_power(of: PowerOf, power: Power, claimed: Option<u32>, verdict: Verdict) -> Finding {
+    let claimed = claimed.map(|it| (it, [below(it), above(it)]));
+    let measurement = OfSolver::Power { of, power: power.numbers(), claimed };
+    Finding {
+        measurement: Measurement::OfSolver(measurement),
         values: vec![power.value],
         verdict,
         ..Finding::default()
-    })
+    }
 }
 
 /// How far below the claimed power the measured one may be. In the limit of short steps it is the
@@ -190,9 +187,12 @@ fn below(claimed: u32) -> f64 {
     0.08 * f64::from(claimed)
 }
 
-/// How far above.
+/// How far above: the steps of a higher order are longer, and so are its higher terms. 95 published
+/// solvers came to 0.2 more where 4 or less was claimed, to 0.6 of 5, 0.9 of 6, 1.4 of 7 and 1.9 of
+/// 8; Tsitouras's with its error per unit step to 0.5 of 4. Somewhat less than this.
 fn above(claimed: u32) -> f64 {
-    0.5 + 0.25 * f64::from(claimed)
+    let claimed = f64::from(claimed);
+    libm::fmin(claimed * claimed / 32.0, 0.5 + 0.25 * claimed).max(0.15 * claimed)
 }
 
 pub fn by_claim(power: Power, claimed: u32) -> Verdict {
@@ -206,41 +206,36 @@ pub fn by_claim(power: Power, claimed: u32) -> Verdict {
     }
 }
 
-fn window(claimed: u32) -> String {
-    format!(
-        "claimed {claimed}; {:.1} less and {:.1} more may come of steps that are not short",
-        below(claimed),
-        above(claimed)
-    )
-}
-
-/// What is said where nothing is claimed and no one power fits.
-fn varies(power: Power, claimed: Option<u32>) -> &'static str {
-    let varies = claimed.is_none() && (power.value > 12.0 || power.uncertainty > 2.0);
-    if varies { ", as of a method whose order varies" } else { "" }
-}
-
-/// The order, from error against evaluations.
+/// The order, from error against evaluations: of short runs, or of the long ones where those are not
+/// answered.
 pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     counted(ladder)?;
-    let power = ladder.order().ok_or_else(too_few)?;
-    let (verdict, why) = match claimed {
-        // More than is claimed is no complaint.
-        Some(claimed) if power.value > f64::from(claimed) => (Verdict::Holds, window(claimed)),
-        Some(claimed) => (by_claim(power, claimed), window(claimed)),
-        None => (Verdict::Unclaimed, String::new()),
+    let (power, kept): (_, fn(Power, u32) -> Verdict) = match ladder.in_short {
+        Some(power) => (power, kept_in_short),
+        None => (ladder.order().ok_or_else(too_few)?, kept),
     };
-    let measured = format!(
-        "the error falls with the power {} of the evaluations{}",
-        in_words(power),
-        varies(power, claimed)
-    );
-    Ok(Finding {
-        measurement: Measurement::Said { measured, why },
-        values: vec![power.value],
-        verdict,
-        ..Finding::default()
-    })
+    let verdict = claimed.map_or(Verdict::Unclaimed, |claimed| kept(power, claimed));
+    Ok(of_power(PowerOf::Error, power, claimed, verdict))
+}
+
+/// Whether this power of short runs is that of an order: those of right methods are not less, but
+/// for what a line is not sure of, and those of the next order below come to 0.6 less.
+fn kept_in_short(power: Power, claimed: u32) -> Verdict {
+    let less = f64::from(claimed) - power.value;
+    let holds = below(claimed).max(power.uncertainty.min(0.4));
+    Verdict::of(less, holds, holds.max(power.uncertainty))
+}
+
+/// Whether this power is that of an order. More than is claimed is no complaint; less that may as
+/// well be the next order below decides nothing.
+fn kept(power: Power, claimed: u32) -> Verdict {
+    let less = f64::from(claimed) - power.value;
+    let is_next = less + power.uncertainty >= 1.0;
+    match by_claim(power, claimed) {
+        _ if less < 0.0 => Verdict::Holds,
+        Verdict::Holds if less > below(claimed) && is_next => Verdict::Unclear,
+        other => other,
+    }
 }
 
 /// The smallest error that it comes to; of a solver in single precision, whether rounding can make
@@ -251,24 +246,17 @@ pub fn precision(ladder: &Ladder) -> Finding {
     if let (true, Some(last)) = (ladder.scenes.coarser() > 1.0, ladder.rungs.last()) {
         let bound = ladder.scenes.rounding(last.a_run());
         let verdict = Verdict::of(least, bound, 10.0 * bound);
-        let measured = format!("off by {} rad at best", scientific(least));
-        let why = format!("in single precision rounding may make {} of it", about(bound));
         return Finding {
-            measurement: Measurement::Said { measured, why },
+            measurement: Measurement::OfSolver(OfSolver::LeastInSingle),
             ..Finding::number(least, "rad", bound, verdict)
         };
     }
-    let (verdict, what) = match single(&ends) {
-        true => (Verdict::Fails, "its states are numbers of single precision, "),
-        false => (Verdict::Holds, ""),
-    };
-    let measured = format!("{what}off by {} rad at best", scientific(least));
-    let why = "a double has sixteen digits, and a single seven".to_string();
+    let single = single(&ends);
     Finding {
-        measurement: Measurement::Said { measured, why },
+        measurement: Measurement::OfSolver(OfSolver::Least { single }),
         values: vec![least],
         unit: "rad",
-        verdict,
+        verdict: if single { Verdict::Fails } else { Verdict::Holds },
         ..Finding::default()
     }
 }
@@ -289,13 +277,8 @@ pub fn effort(ladder: &Ladder, ours: &Ours) -> Measured<Finding> {
         others.iter().map(|it| Some(at(ladder, 1e-6)? / at(it, 1e-6)?)).collect();
     let unknown = || Trouble::NoAnswer("its errors are not on both sides of 10⁻⁶ rad".to_string());
     let values = ratios.ok_or_else(unknown)?;
-    let [by_5, by_8] = [values[0], values[1]].map(rounded);
-    let measured = format!(
-        "{by_5} times the evaluations of Dormand–Prince 5(4) for an error of 10⁻⁶ rad, and {by_8} \
-         times those of DOP853"
-    );
     Ok(Finding {
-        measurement: Measurement::Said { measured, why: String::new() },
+        measurement: Measurement::OfSolver(OfSolver::Effort),
         values,
         verdict: Verdict::Unclaimed,
         ..Finding::default()
@@ -304,6 +287,7 @@ pub fn effort(ladder: &Ladder, ours: &Ours) -> Measured<Finding> {
 
 /// What it is.
 pub fn description(ladder: &Ladder) -> Description {
-    let power = |power: Option<Power>| power.map(|it| [it.value, it.uncertainty]);
-    Description::Solver { order: power(ladder.order()), estimate: power(ladder.estimate()) }
+    let power = |power: Option<Power>| power.map(Power::numbers);
+    let order = ladder.in_short.or(ladder.order());
+    Description::Solver { order: power(order), estimate: power(ladder.estimate()) }
 }

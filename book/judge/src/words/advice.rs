@@ -94,7 +94,7 @@ impl fmt::Display for Cause {
                 frequency()
             ),
             Self::BrokeOff(trouble) => write!(f, "It broke off: {trouble}"),
-            Self::Said(sentence) => f.write_str(sentence.trim_end_matches('.')),
+            Self::OfSolver(cause) => write!(f, "{cause}"),
         }
     }
 }

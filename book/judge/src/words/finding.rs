@@ -1,6 +1,7 @@
 //! Findings in words: what was measured, and how or what follows.
 
 use super::numbers::{about, scientific, slopes};
+use super::solver_finding;
 use crate::finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 use crate::judge::verdict::{Trouble, Verdict};
 
@@ -68,6 +69,7 @@ impl Finding {
                 format!("the same for {}", parts.join(", "))
             }
             Measurement::Beyond(_) => "different beyond the usual states and steps".to_string(),
+            Measurement::OfSolver(what) => solver_finding::measured(self, what),
             Measurement::Said { measured, .. } => measured.clone(),
         }
     }
@@ -214,6 +216,7 @@ impl Finding {
                 "Steps of x = ω₀h = {x} are not those of its method: they differ by {} rad.",
                 scientific(first)
             ),
+            Measurement::OfSolver(what) => solver_finding::why(self, what),
             Measurement::Said { why, .. } => why.clone(),
         }
     }

@@ -7,5 +7,7 @@ mod equation;
 mod finding;
 pub mod numbers;
 mod report;
+pub mod solver_cause;
+mod solver_finding;
 
 pub use advice::sign_of_slopes;

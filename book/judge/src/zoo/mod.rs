@@ -12,6 +12,7 @@ pub mod processed;
 pub mod recorded;
 pub mod runge_kutta;
 pub mod solvers;
+pub mod tabled;
 pub mod verlet;
 pub mod wrapped;
 

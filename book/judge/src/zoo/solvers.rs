@@ -12,7 +12,8 @@ use pendula::methods::runge_kutta::tableau::Row;
 use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
 use pendula::systems::{Pendulum, Phase, RateOf, System, Vector};
 
-use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
+use super::tabled::{Habits, Mistake, Off, Outputs, Passage, Table, Tabled, When};
+use crate::solver::{ByTolerance, Crossings, CrossingsRequest, SolveRequest, Solver};
 use crate::stranger::{Drive, Fault, Reply};
 
 /// What is wrong: see the list of [`wrong_solvers`].
@@ -83,6 +84,20 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         claims: EIGHT,
         ..of(name, Box::new(Slipping::new(Dop853, slip)) as Box<dyn Solver>)
     };
+    let tabled = |name, table: Table, habits: Habits, mistake| {
+        of(name, Box::new(Tabled::new(table, habits).with(mistake)) as Box<dyn Solver>)
+    };
+    let table = |change: fn(&mut Table)| {
+        let mut table = Table::fehlberg();
+        change(&mut table);
+        table
+    };
+    let habits = Habits::default();
+    let off = |name, when| WrongSolver {
+        name,
+        claims: "order=8 estimate=8",
+        solver: Box::new(Off { right: ByTolerance::new(Dop853), by: 1e-3, when }),
+    };
     vec![
         five("nothing wrong, order 5", Nothing),
         eight("nothing wrong, order 8", Nothing),
@@ -136,6 +151,60 @@ pub fn wrong_solvers() -> Vec<WrongSolver> {
         five("passages on a straight line", CrossingByLine),
         five("the first passage only", FirstCrossingOnly),
         five("passages always from t = 0 on", CrossingsFromZero),
+        tabled("a node mistyped", table(|it| it.nodes[5] = 1.0), habits, Mistake::Nothing),
+        tabled(
+            "the result of order 4 handed on by Fehlberg's",
+            Table::fehlberg().lower(),
+            habits,
+            Mistake::Nothing,
+        ),
+        tabled(
+            "passages on a straight line by Fehlberg's",
+            Table::fehlberg(),
+            Habits { passage: Passage::Line, ..habits },
+            Mistake::Nothing,
+        ),
+        tabled(
+            "a tolerance that is not heeded",
+            Table::fehlberg(),
+            Habits { fixed: Some(1e-3), ..habits },
+            Mistake::Nothing,
+        ),
+        tabled(
+            "a g of two digits",
+            Table::fehlberg(),
+            Habits { gravity: 9.8 / 9.81, ..habits },
+            Mistake::Nothing,
+        ),
+        tabled(
+            "slopes of a cubic without the step",
+            Table::fehlberg(),
+            Habits { outputs: Outputs::CubicWithoutStep, ..habits },
+            Mistake::Nothing,
+        ),
+        tabled(
+            "the time moved on a refused step",
+            Table::fehlberg(),
+            habits,
+            Mistake::TimeOfRefused,
+        ),
+        tabled(
+            "the state of a refused step kept",
+            Table::fehlberg(),
+            habits,
+            Mistake::StateOfRefused,
+        ),
+        tabled(
+            "an error that is not multiplied by the step",
+            Table::fehlberg(),
+            habits,
+            Mistake::WithoutStep,
+        ),
+        off("a thousandth off backwards", When::Backwards),
+        off("a thousandth off in the last output", When::Last),
+        off("a thousandth off with many outputs", When::Many),
+        off("a thousandth off from another t₀", When::Elsewhere),
+        off("a thousandth off from an earlier t₀", When::Earlier),
     ]
 }
 
