@@ -42,5 +42,6 @@ mod judged;
 mod looks;
 mod metrics;
 mod programs;
+mod search;
 mod solvers;
 mod strangers;

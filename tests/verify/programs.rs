@@ -351,3 +351,17 @@ pub fn sleeping(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
         (theta, if quiet >= 30 { 0.0 } else { omega })
     })
 }
+
+/// García-Archilla, Sanz-Serna and Skeel's method about θ = 0: kicks by ψ = sinc² at φ = sinc of
+/// the angle, and the exact linear motion.
+pub fn filtered_about_one_bottom(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
+    let frequency = g.sqrt();
+    let (sin, cos) = (frequency * h).sin_cos();
+    let sinc = sin / (frequency * h);
+    let rest = |theta: f64| sinc * g * (sinc * theta - (sinc * theta).sin());
+    steps(theta, omega, n, |(theta, omega)| {
+        let omega = omega + 0.5 * h * rest(theta);
+        let turned = (cos * theta + sin / frequency * omega, cos * omega - frequency * sin * theta);
+        (turned.0, turned.1 + 0.5 * h * rest(turned.0))
+    })
+}

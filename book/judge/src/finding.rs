@@ -203,7 +203,7 @@ pub enum Beyond {
     },
     /// Long steps are not those of the method.
     Long {
-        /// x = ω₀h.
+        /// x = ω₀h; less than 1 for steps from a fast rotation.
         x: f64,
     },
 }

@@ -91,8 +91,8 @@ pub mod zoo;
 pub use finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 pub use judge::{
     Added, Advice, But, Cause, ClaimError, Claims, Departure, Description, Deviation, Equation,
-    Evidence, Identity, Kind, Nearest, Of, Place, Range, Report, Resemblance, Seen, Trouble,
-    Verdict, judge, try_judge,
+    Evidence, Identity, Kind, Nearest, Of, Place, Range, Report, Resemblance, Rows, Seen,
+    ShownCause, TakenStep, Trouble, Verdict, judge, try_judge,
 };
 pub use program::Program;
 pub use property::Property;

@@ -1,14 +1,16 @@
 //! What to look at where a claim fails: a cause, from what was measured, and what follows from it.
 
+use super::causes::{self, Shown};
 use super::claims::Claims;
 use super::equation::{Departure, Kind, Place};
 use super::expansion::{self, Deviation};
 use super::identity::Identity;
+use super::order::DURATION;
 use super::probe::Probe;
 use super::report::Report;
 use super::resemblance::{self, Nearest, Resemblance, Scaled};
 use super::verdict::{Measured, Trouble, Verdict, told};
-use crate::finding::{Finding, Measurement};
+use crate::finding::{Beyond, Finding, Measurement, OtherAnswer};
 use crate::known_answers::{self, Known};
 use crate::property::Property;
 use crate::solver_judge::SolverCause;
@@ -29,6 +31,8 @@ pub struct Advice {
 pub enum Cause {
     /// What is taken or returned has another form.
     Output(Departure),
+    /// A hypothesis that predicts the program's numbers.
+    Shown(Shown),
     /// Another equation is solved, by the method of this title if it is known.
     Equation {
         /// In what it departs from the pendulum's.
@@ -52,6 +56,24 @@ pub enum Cause {
         /// The order that is claimed.
         claimed: Option<u32>,
     },
+    /// Only the first step has this order, which is one less than that of all others.
+    FirstStepAlone {
+        /// The order.
+        order: u32,
+    },
+    /// However short the steps are, a run is off by as much.
+    Constant {
+        /// The error of a run (rad).
+        error: f64,
+        /// Its duration (s).
+        duration: f64,
+    },
+    /// The same request is answered otherwise.
+    NotRepeatable(OtherAnswer),
+    /// It is right in the usual states and steps alone.
+    Beyond(Beyond),
+    /// A constant in seconds is in it.
+    ConstantInSeconds,
     /// The slopes leave the order that is claimed as the steps become short.
     SlopesFall {
         /// The order that is claimed.
@@ -80,10 +102,12 @@ pub enum Cause {
         /// The order under a drive.
         order: u32,
     },
-    /// Single precision on the way.
-    SinglePrecision {
+    /// Numbers of few digits, in what is returned or on the way.
+    FewDigits {
         /// What a step rounds by.
         rounding: f64,
+        /// The binary digits of the numbers that are returned, if these are few.
+        binary: Option<u32>,
     },
     /// A step with −h does not undo a step with h.
     NotUndone,
@@ -100,6 +124,12 @@ impl Cause {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Output(departure) | Self::Equation { departure, .. } => departure.kind().name(),
+            Self::Shown(shown) => shown.name(),
+            Self::FirstStepAlone { .. } => "first-step-alone",
+            Self::Constant { .. } => "constant",
+            Self::NotRepeatable(_) => "not-repeatable",
+            Self::Beyond(_) => "beyond-the-usual",
+            Self::ConstantInSeconds => "constant-in-seconds",
             Self::Resembles { .. } => "but-for-one-thing",
             Self::Mistake(_) => "known-mistake",
             Self::OrderCondition { .. } => "order-condition",
@@ -107,7 +137,7 @@ impl Cause {
             Self::OtherOfPair { .. } => "other-of-pair",
             Self::ClaimTooHigh { .. } => "claim-too-high",
             Self::DriveAtWrongTimes { .. } => "drive-at-wrong-times",
-            Self::SinglePrecision { .. } => "single-precision",
+            Self::FewDigits { .. } => "few-digits",
             Self::NotUndone => "not-undone",
             Self::Nearest(_) => "nearest-method",
             Self::BrokeOff(_) => "broke-off",
@@ -143,6 +173,14 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
         || report.verdict == Verdict::NotMeasured
     {
         return Ok(Looking::default());
+    }
+    // What is known by its numbers alone may be shown otherwise.
+    let vague = report.departure.as_ref().filter(|found| found.kind() == Kind::Values);
+    if vague.is_some_and(|_| report.mistake.is_none()) {
+        if let Some(shown) = causes::shown(probe, hypotheses(report, &failed))? {
+            let advice = each_once(vec![of_a_cause(shown)], &failed);
+            return Ok(Looking { advice, resembles: None });
+        }
     }
     match report.departure.as_ref().filter(|found| found.place() == Place::Equation) {
         Some(departure) => of_the_equation(departure, probe, claims, report, &failed),
@@ -183,7 +221,7 @@ fn of_the_equation(
     let cause = Cause::Equation { departure: departure.clone(), method };
     causes.push(Found { cause, explains });
     let by_itself = !explains.contains(&Property::Reversal);
-    causes.extend(not_undone(failed).filter(|_| by_itself));
+    causes.extend(not_undone(failed, report).filter(|_| by_itself));
     let mistake = report.mistake.map(Cause::Mistake);
     causes.extend(mistake.map(|cause| Found { cause, explains: &[] }));
     Ok(Looking { advice: each_once(causes, failed), resembles: None })
@@ -218,17 +256,30 @@ fn of_the_step(
     });
     let has_one = alike.is_some();
     causes.extend(alike.map(|cause| Found { cause, explains: EVERYTHING }));
+    let shown = match of_output {
+        None if !has_one => causes::shown(probe, hypotheses(report, failed))?,
+        _ => None,
+    };
+    let is_shown = shown.is_some();
+    causes.extend(shown.map(of_a_cause));
     let order_holds = report.found(Property::Order, Verdict::Holds).is_some();
     match lost {
-        // The first term is the equation's; and a first step may be another one than all others.
-        Some(found) if found.power == 1 || order_holds => {}
+        // What is shown says more; and a first step may be another one than all others.
+        _ if is_shown => {}
+        Some(_) if order_holds => {}
+        Some(found) if first_step_alone(&found, report) => {
+            let order = found.power as u32 - 1;
+            let explains = &[Property::Order, Property::StageTimes, Property::Clock];
+            let begun = Found { cause: Cause::FirstStepAlone { order }, explains };
+            causes.extend((!has_one).then_some(begun));
+        }
         Some(deviation) => causes.push(Found {
             cause: Cause::OrderCondition { deviation, claimed: claims.order },
             explains: &[Property::Order, Property::StageTimes],
         }),
         None => {
             let order = report.found(Property::Order, Verdict::Fails);
-            causes.extend(order.and_then(|order| falling(order, claims)));
+            causes.extend(order.and_then(|order| falling(order, report, claims)));
         }
     }
     if !has_one {
@@ -236,10 +287,20 @@ fn of_the_step(
     }
     causes.extend(drive(report));
     let cut_off = matches!(of_output, Some(Departure::Decimals(_) | Departure::Digits(_)));
-    if !cut_off {
-        causes.extend(precision(report));
+    let other_answers = not_repeatable(report);
+    if !cut_off && other_answers.is_none() {
+        let binary = told(causes::binary_digits(probe))?.flatten();
+        causes.extend(precision(report, binary));
     }
-    causes.extend(not_undone(failed).filter(|_| !has_one));
+    causes.extend(other_answers);
+    causes.extend(not_undone(failed, report).filter(|_| !has_one && !is_shown));
+    if causes.is_empty() {
+        causes.extend(beyond(report));
+    }
+    if causes.is_empty() && failed == [Property::Units] {
+        let explains = &[Property::Units];
+        causes.push(Found { cause: Cause::ConstantInSeconds, explains });
+    }
     let right = report.found(Property::Equation, Verdict::Holds).is_some();
     if causes.is_empty() && report.identity.is_none() && !claims.are_none() && right {
         let nearest = told(resemblance::nearest(probe))?.flatten();
@@ -264,10 +325,55 @@ fn each_once(causes: Vec<Found>, failed: &[Property]) -> Vec<Advice> {
     each.collect()
 }
 
+/// What may be asked of the causes that are shown.
+fn hypotheses<'a>(report: &Report, failed: &'a [Property]) -> causes::Failed<'a> {
+    let precision = report.finding(Property::Precision).map(|found| found.verdict);
+    causes::Failed { those: failed, precision: precision.unwrap_or_default() }
+}
+
+/// A cause that was shown.
+const fn of_a_cause(shown: Shown) -> Found {
+    let explains = shown.explains();
+    Found { cause: Cause::Shown(shown), explains }
+}
+
+/// Whether the order that the slopes show is what a first step alone, of an order lower by one,
+/// leaves.
+fn first_step_alone(found: &Deviation, report: &Report) -> bool {
+    let last = report.finding(Property::Order).and_then(|order| order.values.last().copied());
+    last.is_some_and(|last| (last - found.power as f64).abs() < 0.15)
+}
+
+/// Other answers to the same request, and what they spoil.
+fn not_repeatable(report: &Report) -> Option<Found> {
+    let found = report.found(Property::Repeatable, Verdict::Fails)?;
+    let Measurement::SameAnswers(Some(other)) = found.measurement else { return None };
+    let explains = &[
+        Property::Repeatable,
+        Property::Precision,
+        Property::Clock,
+        Property::Reversal,
+        Property::Loss,
+        Property::Units,
+        Property::Turn,
+        Property::Mirror,
+    ];
+    Some(Found { cause: Cause::NotRepeatable(other), explains })
+}
+
+/// What is another one beyond the usual states and steps.
+fn beyond(report: &Report) -> Option<Found> {
+    let found = report.found(Property::Range, Verdict::Fails)?;
+    let Measurement::Beyond(beyond) = found.measurement else { return None };
+    Some(Found { cause: Cause::Beyond(beyond), explains: &[Property::Range] })
+}
+
 /// What is lost on the way out and home is lost by the way back.
-fn not_undone(failed: &[Property]) -> Option<Found> {
+fn not_undone(failed: &[Property], report: &Report) -> Option<Found> {
     let both = failed.contains(&Property::Reversal) && failed.contains(&Property::Loss);
-    both.then_some(Found {
+    let reversal = report.finding(Property::Reversal);
+    let measured = reversal.is_some_and(|found| !found.values.is_empty());
+    (both && measured).then_some(Found {
         cause: Cause::NotUndone,
         explains: &[Property::Reversal, Property::Loss],
     })
@@ -348,15 +454,18 @@ pub fn slopes_that_fall(claimed: u32, slopes: &[f64]) -> Option<Cause> {
 }
 
 /// Slopes that fall, where the series of a step tells no more.
-fn falling(order: &Finding, claims: &Claims) -> Option<Found> {
+fn falling(order: &Finding, report: &Report, claims: &Claims) -> Option<Found> {
     let claimed = claims.order?;
     let slopes = &order.values;
     // The ladder begins with steps that are too long to show an order.
     let near = |slope: &f64| (slope - f64::from(claimed)).abs() < 0.3;
     let from = slopes.iter().position(near)?;
-    // Slopes that fall to nothing are of another equation, which has been asked for.
-    let cause = slopes_that_fall(claimed, &slopes[from..]);
-    let cause = cause.filter(|_| slopes.last() >= Some(&0.5))?;
+    let (_, error) = *report.evidence.ladder.last()?;
+    let cause = match *slopes.last()? {
+        // Another equation, which has been asked for, or a run of another length.
+        ..0.5 if slopes.len() > from + 1 => Cause::Constant { error, duration: DURATION },
+        _ => slopes_that_fall(claimed, &slopes[from..])?,
+    };
     Some(Found { cause, explains: &[Property::Order, Property::StageTimes] })
 }
 
@@ -368,12 +477,12 @@ fn drive(report: &Report) -> Option<Found> {
     Some(Found { cause: Cause::DriveAtWrongTimes { order }, explains: &[Property::StageTimes] })
 }
 
-/// Single precision on the way.
-fn precision(report: &Report) -> Option<Found> {
+/// Numbers of few binary digits, or single precision on the way.
+fn precision(report: &Report, binary: Option<u32>) -> Option<Found> {
     let rounding = *report.found(Property::Precision, Verdict::Fails)?.values.first()?;
     let single = (1e-9..1e-6).contains(&rounding);
-    single.then_some(Found {
-        cause: Cause::SinglePrecision { rounding },
+    (binary.is_some() || single).then_some(Found {
+        cause: Cause::FewDigits { rounding, binary },
         explains: &[Property::Precision],
     })
 }

@@ -253,8 +253,8 @@ pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<
     Ok(None)
 }
 
-/// The first of `methods` whose states, as they are or seen from elsewhere, are the stranger's; none
-/// if another one's lie within ten times that. What is one map with a method as it is, is that
+/// The first of `methods` whose states, as they are or seen from elsewhere, are the stranger's;
+/// none if another one's lie within ten times that. What is one map with a method as it is, is that
 /// method, unless that is excluded by more than rounding.
 fn seen(asked: &Asked, methods: &[&'static dyn AnyMethod], angles_only: bool) -> Option<Candidate> {
     let angle = |a: Phase, b: Phase| (a.theta - b.theta).abs();

@@ -3,6 +3,7 @@
 pub(crate) mod advice;
 mod answers;
 pub(crate) mod area;
+pub(crate) mod causes;
 pub(crate) mod claims;
 pub(crate) mod energy;
 pub(crate) mod equation;
@@ -24,6 +25,7 @@ mod thresholds;
 pub(crate) mod verdict;
 
 pub use advice::{Advice, Cause};
+pub use causes::{Rows, Shown as ShownCause, TakenStep};
 pub use claims::{ClaimError, Claims};
 pub use equation::{Added, Departure, Equation, Kind, Of, Place, Range};
 pub use expansion::Deviation;
@@ -190,7 +192,10 @@ impl Judge<'_> {
     ) -> Measured<(Option<T>, Verdict)> {
         let told = found.as_ref().map(judge).map_err(Trouble::clone);
         let shown = self.report.note(property, claimed, told)?;
-        Ok((found.ok(), shown))
+        let found = found.ok();
+        // What was not measured shows nothing, whatever it fails.
+        let shown = if found.is_some() { shown } else { Verdict::NotMeasured };
+        Ok((found, shown))
     }
 
     /// Takes the properties one after the other.
@@ -454,7 +459,9 @@ impl Judge<'_> {
     /// Stages that know the time, where there is a drive: at the order that is claimed, or shown.
     fn stage_times(&mut self, shown: Option<u32>) -> Measured<()> {
         let nothing = |why: &str| Err(Trouble::NoAnswer(why.to_string()));
-        let order = self.claims.order.or(shown);
+        // A method that has a name has its order; slopes of few digits may show another.
+        let known = self.name.one().map(|found| found.known.order);
+        let order = self.claims.order.or(known).or(shown);
         let driven = match order {
             Some(order) => stage_times::measure(&self.probe, order),
             None => nothing("no order is claimed, and none was found"),

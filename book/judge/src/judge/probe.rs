@@ -92,8 +92,8 @@ impl<'s> Probe<'s> {
         Ok(probe)
     }
 
-    /// With how many significant digits it prints its numbers, if these are 12 to 16: fewer are told
-    /// by what they make of a step, and 17 are all that a double has.
+    /// With how many significant digits it prints its numbers, if these are 12 to 16: fewer are
+    /// told by what they make of a step, and 17 are all that a double has.
     fn printed_digits(&self) -> Measured<Option<usize>> {
         let mut numbers = Vec::new();
         for start in [Phase { theta: 0.9, omega: 0.3 }, Phase { theta: -0.7, omega: 2.1 }] {
@@ -108,19 +108,20 @@ impl<'s> Probe<'s> {
         Ok((12..=16).find(|digits| numbers.iter().all(|x| printed(*x, *digits))))
     }
 
-    /// What rounding makes of a pendulum at rest at the bottom in so many steps (rad): along sixteen
-    /// starts beside it, as for [`Self::rounding`], at the end of the run. A program that adds
-    /// something to the angle inside, as π or Ωt, rounds there as it does elsewhere; one that does
-    /// not rounds in proportion to the angle, of which nothing is left.
+    /// What rounding makes of a pendulum at rest at the bottom in so many steps (rad): along
+    /// sixteen starts beside it, as for [`Self::rounding`], at the end of the run. A program that
+    /// adds something to the angle inside, as π or Ωt, rounds there as it does elsewhere; one that
+    /// does not rounds in proportion to the angle, of which nothing is left.
     pub fn rounding_at_rest(&self, x: f64, steps: u64) -> Measured<f64> {
         const APART: f64 = 1e-9;
-        let mut ends = [[0.0; 16]; 2];
+        let (mut angles, mut velocities) = (Vec::new(), Vec::new());
         for j in 0..16 {
-            let start = Phase { theta: (j as f64 - 7.5) * APART, omega: 0.0 };
+            let start = Phase { theta: (f64::from(j) - 7.5) * APART, omega: 0.0 };
             let z = self.end(Request::run(start, step(x), steps))?;
-            (ends[0][j], ends[1][j]) = (z.theta, z.omega / frequency());
+            angles.push(z.theta);
+            velocities.push(z.omega / frequency());
         }
-        Ok(libm::fmaximum(noise(&ends[0]), noise(&ends[1])))
+        Ok(libm::fmaximum(noise(&angles), noise(&velocities)))
     }
 
     /// Of a method that is known to compute in double precision: what it rounds by more is a

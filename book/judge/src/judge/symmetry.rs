@@ -88,9 +88,9 @@ pub fn mirror(probe: &Probe<'_>) -> Measured<Apart> {
         Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => return Ok(worst),
         rest => rest?,
     };
-    // There is nothing to be rounded at zero, but of a program whose angle inside is another one: ten
-    // times what is found beside it, as the largest of some hundred sums may exceed their mean by
-    // that. And there is room for a solver that iterates.
+    // There is nothing to be rounded at zero, but of a program whose angle inside is another one:
+    // ten times what is found beside it, as the largest of some hundred sums may exceed their mean
+    // by that. And there is room for a solver that iterates.
     let beside = told(probe.rounding_at_rest(X, STEPS))?.unwrap_or_default();
     let bound = 10.0 * beside + 1e-6 * probe.rounding;
     Ok(worst.worse(Apart { largest: distance(rest, Phase::default()), bound }))
@@ -127,10 +127,10 @@ pub fn tolerance(probe: &Probe<'_>) -> Measured<f64> {
     Ok(units.map_or(0.0, |units| units.largest))
 }
 
-/// What a tolerance inside the stranger makes of a step of about x = 1 (rad), where an iteration ends
-/// later than in the short ones of [`tolerance`]: by how much eight of them differ in other units of
-/// time, an eighth. A difference that is no more than rounding, or too large for a tolerance, counts
-/// for nothing.
+/// What a tolerance inside the stranger makes of a step of about x = 1 (rad), where an iteration
+/// ends later than in the short ones of [`tolerance`]: by how much eight of them differ in other
+/// units of time, an eighth. A difference that is no more than rounding, or too large for a
+/// tolerance, counts for nothing.
 pub fn in_long_steps(probe: &Probe<'_>) -> Measured<f64> {
     const STEPS: u64 = 8;
     let mut largest = 0.0_f64;

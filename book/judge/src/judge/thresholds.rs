@@ -34,8 +34,8 @@ fn changes(at: f64, [below, above]: [Verdict; 2], verdict: impl Fn(f64) -> Verdi
     assert_eq!([verdict(at * INSIDE), verdict(at * OUTSIDE)], [below, above], "at {at:e}");
 }
 
-/// Catches: a threshold of the area that is moved, or a defect of one sign that is not looked at; an
-/// area that is said to be kept since nothing is known of it.
+/// Catches: a threshold of the area that is moved, or a defect of one sign that is not looked at;
+/// an area that is said to be kept since nothing is known of it.
 #[rstest]
 #[case(1.0)]
 #[case(-1.0)]

@@ -156,25 +156,7 @@ impl Outputs {
     /// they come from polynomials of a `degree`, that their error falls as that of those.
     pub fn finding(&self, degree: Option<u32>) -> Finding {
         let Some((ratio, worst)) = self.worst() else {
-            // As far off as the motion is wide, at a tolerance at which the steps are right.
-            let right = self.compared.iter().rev().find(|it| it.steps < 0.01);
-            let (Some(_), Some(it)) = (degree, right) else {
-                return Finding::nothing("no run is accurate enough to tell".to_string());
-            };
-            let Compared { tolerance, outputs, steps, rounding, .. } = *it;
-            let measurement = OfSolver::Between {
-                tolerance,
-                outputs,
-                steps,
-                count: OUTPUTS,
-                single: self.single,
-                power: None,
-                claimed: None,
-            };
-            return Finding {
-                measurement: Measurement::OfSolver(measurement),
-                ..Finding::number(outputs / steps.max(rounding), "", HOLDS, Verdict::Fails)
-            };
+            return Finding::nothing("no run is accurate enough to tell".to_string());
         };
         let Compared { tolerance, outputs, steps, .. } = *worst;
         let verdict = match self.single {
@@ -187,6 +169,8 @@ impl Outputs {
                 true => Verdict::Holds,
                 false => by_claim(power, degree + 1),
             },
+            // As far off as the motion is wide, at a tolerance at which the steps are right.
+            (Some(_), None) if worse && outputs >= 0.5 && steps < 0.01 => Verdict::Fails,
             // Nobody counts, or too few tolerances tell.
             (Some(_), None) if worse => Verdict::Unclear,
             _ => verdict,

@@ -2,8 +2,11 @@
 
 use core::fmt;
 
+use super::causes::{of_cause, of_unit};
 use super::numbers::{about, raised, scientific};
+use crate::finding::{Beyond, OtherAnswer};
 use crate::judge::advice::{Advice, Cause, slopes_that_fall};
+use crate::judge::causes::unit;
 use crate::judge::equation::{Departure, Kind};
 use crate::judge::probe::frequency;
 use crate::judge::resemblance::{But, Nearest, Resemblance, Scaled};
@@ -31,7 +34,11 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Output(departure) => {
-                write!(f, "The adapter or the output: {}", departure.clause())
+                write!(f, "The adapter or the output: {}", departure.clause())?;
+                match unit(departure) {
+                    Some(unit) => write!(f, ": {}", of_unit(unit)),
+                    None => Ok(()),
+                }
             }
             Self::Equation { departure, method } => equation(f, departure, *method),
             Self::Resembles { resemblance, known_as: None } => write!(f, "It is {resemblance}"),
@@ -55,6 +62,54 @@ impl fmt::Display for Cause {
                     raised(power)
                 )
             }
+            Self::Shown(shown) => f.write_str(&of_cause(shown)),
+            Self::FirstStepAlone { order } => write!(
+                f,
+                "Only the first step is of order {order}: its error goes with h{}, and those of all \
+                 others with a higher power, as a run is of order {}. Look at how it is begun",
+                raised(*order as usize + 1),
+                order + 1
+            ),
+            Self::Constant { error, duration } => write!(
+                f,
+                "However short the steps are, it is off by {} rad after {duration} s: as by a \
+                 constant or a coefficient of about {:.0} digits",
+                scientific(*error),
+                -libm::log10(*error)
+            ),
+            Self::NotRepeatable(other) => {
+                let how = match other {
+                    OtherAnswer::SecondTime => "the second time",
+                    OtherAnswer::AfterAnother => "after another request",
+                    OtherAnswer::Thinned => "if only every fifth state is asked for",
+                };
+                write!(
+                    f,
+                    "The same request has another answer {how}: look for the time of day, a random \
+                     number, or what is kept from one request to the next"
+                )
+            }
+            Self::Beyond(beyond) => {
+                f.write_str("It is right for the usual states and steps alone: ")?;
+                match beyond {
+                    Beyond::Fast { velocity, .. } => {
+                        write!(f, "it is another one in a rotation with |ω| = {velocity} √(g/L)")
+                    }
+                    Beyond::Small { amplitude, .. } => {
+                        write!(f, "it is another one in a swing of {} rad", about(*amplitude))
+                    }
+                    Beyond::Long { x } if *x < 1.0 => {
+                        f.write_str("it is another one in a fast rotation")
+                    }
+                    Beyond::Long { x } => {
+                        write!(f, "it is another one in steps of ω₀h = {x}")
+                    }
+                    Beyond::Same { .. } => f.write_str("look at what was not measured"),
+                }
+            }
+            Self::ConstantInSeconds => f.write_str(
+                "A constant in seconds is in it: a largest or smallest step, a rate, a limit",
+            ),
             Self::SlopesFall { claimed, last } => {
                 let sign = match *last {
                     ..0.5 => "it solves another equation, of which a coefficient differs slightly",
@@ -75,15 +130,34 @@ impl fmt::Display for Cause {
             }
             Self::DriveAtWrongTimes { order } => write!(
                 f,
-                "Only with a drive is the order {order}: stages take the drive at a wrong time, \
-                 as at the step's start"
+                "Only with a drive is the order {order}: stages take the drive at a wrong time, by \
+                 {}",
+                match order {
+                    0 => "what does not become less with the step",
+                    _ => "a part of the step",
+                }
             ),
-            Self::SinglePrecision { rounding } => write!(
-                f,
-                "A step rounds by {}, as single precision does. Look for it in the states or in the \
-                 computation",
-                about(*rounding)
-            ),
+            Self::FewDigits { rounding, binary } => {
+                let by = about(*rounding);
+                match binary {
+                    Some(24) => write!(
+                        f,
+                        "A step rounds by {by}: single precision, as its numbers have 24 binary \
+                         digits"
+                    ),
+                    Some(11) => write!(
+                        f,
+                        "A step rounds by {by}: half precision, as its numbers have 11 binary digits"
+                    ),
+                    Some(digits) => {
+                        write!(f, "A step rounds by {by}: its numbers have {digits} binary digits")
+                    }
+                    None => write!(
+                        f,
+                        "A step rounds by {by}, about as much as single precision on the way"
+                    ),
+                }
+            }
             Self::NotUndone => f.write_str("A step with −h does not undo a step with h"),
             Self::Nearest(Nearest { title, factor, power }) => write!(
                 f,

@@ -99,6 +99,12 @@ impl Departure {
             Self::WithoutStep(_) => {
                 "The change of ω is not multiplied by the step: ω − (g/L) sin θ".to_string()
             }
+            Self::TurnedEachStep => {
+                "Each step turns the angle by π, however short it is".to_string()
+            }
+            Self::VelocityVanishes => {
+                "The velocity that it returns vanishes with the step".to_string()
+            }
             Self::NoKick => "The force never reaches the velocity".to_string(),
             Self::NoDrift => "The velocity never reaches the angle".to_string(),
             Self::Units(added) => {

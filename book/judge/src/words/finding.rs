@@ -212,6 +212,10 @@ impl Finding {
                 about(*amplitude),
                 scientific(first)
             ),
+            Measurement::Beyond(Beyond::Long { x }) if *x < 1.0 => format!(
+                "Steps from a fast rotation are not those of its method: they differ by {} rad.",
+                scientific(first)
+            ),
             Measurement::Beyond(Beyond::Long { x }) => format!(
                 "Steps of x = ω₀h = {x} are not those of its method: they differ by {} rad.",
                 scientific(first)

@@ -2,6 +2,7 @@
 //! what stands here.
 
 mod advice;
+mod causes;
 mod departure;
 mod equation;
 mod finding;

@@ -108,6 +108,10 @@ pub enum Departure {
     },
     /// A change is not multiplied by the step.
     WithoutStep(Of),
+    /// Each step turns the angle by π, however short it is.
+    TurnedEachStep,
+    /// The velocity that is returned vanishes with the step.
+    VelocityVanishes,
     /// The force never reaches the velocity.
     NoKick,
     /// The velocity never reaches the angle.
@@ -307,7 +311,7 @@ impl Departure {
             Self::DragEachStep { .. } => Kind::DragEachStep,
             Self::DividedByStep(_) => Kind::DividedByStep,
             Self::SquaredStep { .. } => Kind::SquaredStep,
-            Self::WithoutStep(_) => Kind::WithoutStep,
+            Self::WithoutStep(_) | Self::TurnedEachStep => Kind::WithoutStep,
             Self::NoKick => Kind::NoKick,
             Self::NoDrift => Kind::NoDrift,
             Self::Units(_) => Kind::Units,
@@ -315,6 +319,7 @@ impl Departure {
             | Self::FirstStep { .. }
             | Self::FixedEnd { .. }
             | Self::StartIgnored(_)
+            | Self::VelocityVanishes
             | Self::Jump { .. }
             | Self::Rate { .. }
             | Self::ChangesInTime(_) => Kind::Values,
@@ -370,6 +375,8 @@ impl Departure {
             Self::SineOfDegrees(_)
             | Self::DividedByStep(_)
             | Self::WithoutStep(_)
+            | Self::TurnedEachStep
+            | Self::VelocityVanishes
             | Self::NoKick
             | Self::NoDrift
             | Self::Units(_)

@@ -83,11 +83,17 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
     }
     for raised in [PI, -PI] {
         if near([[1.0, 0.0, raised], [0.0, 1.0, 0.0]]) {
+            if keeps_rising(probe)? {
+                return output(Departure::TurnedEachStep, &[]);
+            }
             return output(Departure::FromTheTop, &[Undo::Raised(raised)]);
         }
     }
     if near([[1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]) {
         return output(Departure::WithoutStep(Of::Angle), &[]);
+    }
+    if scaled(1.0, 0.0) && !begins_at_rest(probe)? {
+        return output(Departure::VelocityVanishes, &[]);
     }
     if scaled(1.0, 0.0) {
         return output(Departure::StartIgnored(Of::Velocity), &[]);
@@ -114,6 +120,18 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
         return output(departure, &[Undo::Out(times), Undo::In(times)]);
     }
     output(other(field), &[])
+}
+
+/// Whether each step adds to the angle what the first one does, and not only what is handed out.
+fn keeps_rising(probe: &Probe<'_>) -> Measured<bool> {
+    let states = probe.states(Request::run(Phase { theta: 0.1, omega: 0.0 }, step(1e-5), 2))?;
+    Ok((states[1].theta - states[0].theta).abs() > 1.0)
+}
+
+/// Whether the velocity of the start does nothing in a step that is not short.
+fn begins_at_rest(probe: &Probe<'_>) -> Measured<bool> {
+    let end = |omega| probe.end(Request::run(Phase { theta: 0.4, omega }, step(0.3), 1));
+    Ok((end(2.0)?.theta - end(-2.0)?.theta).abs() <= 0.01)
 }
 
 /// Whether each step leaves this share of the velocity, and not only what is handed out.
