@@ -1,5 +1,7 @@
 //! States whose components are counted, not named.
 
+use core::ops::{Index, IndexMut};
+
 use crate::{state, state_operations};
 
 /// A state of N numbers, or a rate of change of one, where they have no names of their own: values
@@ -16,20 +18,21 @@ use crate::{state, state_operations};
 ///
 /// // Heat on a ring of 12 cells.
 /// const N: usize = 12;
-/// let ring = FromRate::new(|_t, u: Array<N>| {
-///     let cell = |i: usize| u.0[i % N];
-///     Array(std::array::from_fn(|i| cell(i + 1) - 2.0 * cell(i) + cell(i + N - 1)))
+/// let ring = FromRate::new(|_t, u: [f64; N]| {
+///     std::array::from_fn(|i| u[(i + 1) % N] - 2.0 * u[i] + u[(i + N - 1) % N])
 /// });
 /// // A wave of two crests decays by the factor exp(−4t sin²(2π/12)) = exp(−t).
 /// let wave = Array(std::array::from_fn(|i| (std::f64::consts::TAU * i as f64 / 6.0).cos()));
 /// let adaptive = Adaptive::new(DormandPrince, Tolerance::uniform(1e-10)?);
 /// let (end, _) = adaptive.integrate(&ring, wave, 0.0, 3.0, &mut ())?;
 /// let exact = wave * (-3.0_f64).exp();
-/// assert!((end - exact).0.iter().all(|difference| difference.abs() < 1e-9));
+/// assert!((end - exact).into_iter().all(|difference| difference.abs() < 1e-9));
 /// # Ok::<(), pendula::Error>(())
 /// ```
 ///
-/// Where numbers do have names, [`state!`](crate::state) makes a state of them.
+/// It is indexed and iterated as an array is, and an array becomes one by `into`; loops such as
+/// [`integrate()`](crate::integrate()) do that themselves. Where numbers do have names,
+/// [`state!`](crate::state) makes a state of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Array<const N: usize>(pub [f64; N]);
 
@@ -37,64 +40,91 @@ state_operations! {
     [const N: usize] Array [N] { 0: [f64; N], }
 }
 
+impl<const N: usize> From<[f64; N]> for Array<N> {
+    #[inline]
+    fn from(numbers: [f64; N]) -> Self {
+        Self(numbers)
+    }
+}
+
+impl<const N: usize> From<Array<N>> for [f64; N] {
+    #[inline]
+    fn from(Array(numbers): Array<N>) -> [f64; N] {
+        numbers
+    }
+}
+
+impl<const N: usize> PartialEq<[f64; N]> for Array<N> {
+    fn eq(&self, numbers: &[f64; N]) -> bool {
+        self.0 == *numbers
+    }
+}
+
+impl<const N: usize> Index<usize> for Array<N> {
+    type Output = f64;
+
+    #[inline]
+    fn index(&self, index: usize) -> &f64 {
+        &self.0[index]
+    }
+}
+
+impl<const N: usize> IndexMut<usize> for Array<N> {
+    #[inline]
+    fn index_mut(&mut self, index: usize) -> &mut f64 {
+        &mut self.0[index]
+    }
+}
+
+impl<const N: usize> IntoIterator for Array<N> {
+    type Item = f64;
+    type IntoIter = core::array::IntoIter<f64, N>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'a, const N: usize> IntoIterator for &'a Array<N> {
+    type Item = &'a f64;
+    type IntoIter = core::slice::Iter<'a, f64>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
 state! {
     /// N positions and their velocities, or a rate of change of both: the state of particles.
     ///
-    /// With [`kicked`](ArrayPhase::kicked) and [`drifted`](ArrayPhase::drifted) a system of them is
-    /// [`Separable`](crate::Separable) once its accelerations are known:
+    /// It is the state of a [`FromForce`](crate::systems::FromForce). A type of your own is
+    /// [`Separable`](crate::Separable) with it by [`kicked`](ArrayPhase::kicked) and
+    /// [`drifted`](ArrayPhase::drifted).
     ///
     /// ```
     /// use pendula::methods::{BlanesMoan6, Gauss4, StormerVerlet};
     /// use pendula::metrics::EnergyDrift;
-    /// use pendula::systems::ArrayPhase;
-    /// use pendula::{Grid, Hamiltonian, Method, Separable, System, integrate};
+    /// use pendula::systems::{ArrayPhase, FromForce};
+    /// use pendula::{Grid, Hamiltonian, Method, integrate};
     ///
-    /// /// Three bodies of mass 1 in a plane, which attract each other: r̈ = −Δr/|Δr|³.
-    /// struct Bodies;
-    ///
-    /// impl System for Bodies {
-    ///     type State = ArrayPhase<6>;
-    ///
-    ///     fn rate(&self, t: f64, z: ArrayPhase<6>) -> ArrayPhase<6> {
-    ///         ArrayPhase { positions: z.velocities, velocities: self.force(t, z) }
-    ///     }
-    /// }
-    ///
-    /// impl Separable for Bodies {
-    ///     type Force = [f64; 6];
-    ///
-    ///     fn force(&self, _t: f64, z: ArrayPhase<6>) -> [f64; 6] {
-    ///         let mut accelerations = [0.0; 6];
-    ///         for (i, j) in [(0, 2), (2, 4), (4, 0)] {
-    ///             let [x, y] = [0, 1].map(|k| z.positions[j + k] - z.positions[i + k]);
-    ///             let cube = (x * x + y * y).powf(1.5);
-    ///             for (k, pull) in [x / cube, y / cube].into_iter().enumerate() {
-    ///                 accelerations[i + k] += pull;
-    ///                 accelerations[j + k] -= pull;
-    ///             }
+    /// // Three bodies of mass 1 in a plane, which attract each other: r̈ = −Δr/|Δr|³.
+    /// const PAIRS: [(usize, usize); 3] = [(0, 2), (2, 4), (4, 0)];
+    /// let between = |r: [f64; 6], (i, j)| [0, 1].map(|k| r[j + k] - r[i + k]);
+    /// let bodies = FromForce::new(|_t, r: [f64; 6]| {
+    ///     let mut accelerations = [0.0; 6];
+    ///     for (i, j) in PAIRS {
+    ///         let [x, y] = between(r, (i, j));
+    ///         let cube = (x * x + y * y).powf(1.5);
+    ///         for (k, pull) in [x / cube, y / cube].into_iter().enumerate() {
+    ///             accelerations[i + k] += pull;
+    ///             accelerations[j + k] -= pull;
     ///         }
-    ///         accelerations
     ///     }
-    ///
-    ///     fn kick(&self, z: ArrayPhase<6>, force: [f64; 6], h: f64) -> ArrayPhase<6> {
-    ///         z.kicked(force, h)
-    ///     }
-    ///
-    ///     fn drift(&self, z: ArrayPhase<6>, h: f64) -> ArrayPhase<6> {
-    ///         z.drifted(h)
-    ///     }
-    /// }
-    ///
-    /// impl Hamiltonian for Bodies {
-    ///     fn energy(&self, z: ArrayPhase<6>) -> f64 {
-    ///         let between = |i: usize, j: usize| {
-    ///             let [x, y] = [0, 1].map(|k| z.positions[j + k] - z.positions[i + k]);
-    ///             -1.0 / x.hypot(y)
-    ///         };
-    ///         let kinetic: f64 = z.velocities.iter().map(|v| 0.5 * v * v).sum();
-    ///         kinetic + between(0, 2) + between(2, 4) + between(4, 0)
-    ///     }
-    /// }
+    ///     accelerations
+    /// })
+    /// .with_potential(|r| PAIRS.map(|pair| between(r, pair)).iter().map(|[x, y]| -1.0 / x.hypot(*y)).sum());
     ///
     /// // The figure of eight on which three bodies follow each other (Chenciner, Montgomery, *Ann.
     /// // of Math.* 152 (2000) 881–901): after a period each is where it was.
@@ -105,18 +135,23 @@ state! {
     /// };
     /// let period = Grid::new(6.32591398 / 2000.0, 2000)?;
     ///
-    /// fn run(method: &impl Method<Bodies>, start: ArrayPhase<6>, period: &Grid) -> [f64; 2] {
-    ///     let mut drift = EnergyDrift::new(&Bodies);
-    ///     let end = integrate(&Bodies, method, start, period, &mut drift);
+    /// fn run<S: Hamiltonian<State = ArrayPhase<6>>>(
+    ///     bodies: &S,
+    ///     method: &impl Method<S>,
+    ///     start: ArrayPhase<6>,
+    ///     period: &Grid,
+    /// ) -> [f64; 2] {
+    ///     let mut drift = EnergyDrift::new(bodies);
+    ///     let end = integrate(bodies, method, start, period, &mut drift);
     ///     let off = (end - start).positions.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     ///     [off, drift.largest()]
     /// }
-    /// let [off, drift] = run(&StormerVerlet, start, &period);
+    /// let [off, drift] = run(&bodies, &StormerVerlet, start, &period);
     /// assert!(off < 2e-5 && drift < 1e-5);
     /// // The start has eight digits.
-    /// let [off, drift] = run(&BlanesMoan6, start, &period);
+    /// let [off, drift] = run(&bodies, &BlanesMoan6, start, &period);
     /// assert!(off < 2e-7 && drift < 1e-13);
-    /// let [off, drift] = run(&Gauss4, start, &period);
+    /// let [off, drift] = run(&bodies, &Gauss4, start, &period);
     /// assert!(off < 2e-7 && drift < 1e-11);
     /// # Ok::<(), pendula::Error>(())
     /// ```
@@ -129,6 +164,11 @@ state! {
 }
 
 impl<const N: usize> ArrayPhase<N> {
+    /// The positions with these velocities.
+    pub const fn new(positions: [f64; N], velocities: [f64; N]) -> Self {
+        Self { positions, velocities }
+    }
+
     /// The positions at rest.
     pub const fn at_rest(positions: [f64; N]) -> Self {
         Self { positions, velocities: [0.0; N] }

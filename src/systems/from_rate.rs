@@ -3,12 +3,30 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use super::{RateOf, State, System};
+use super::{Array, RateOf, State, System};
 
-/// A system whose rate of change is a closure of the time (s) and the state.
+/// A system whose rate of change is a closure of the time (s) and the state: ẏ = f(t, y).
+///
+/// The state is an array of numbers, which is kept as an [`Array`]:
+///
+/// ```
+/// use pendula::systems::FromRate;
+/// use pendula::{Grid, Rk4, integrate};
+///
+/// // Lorenz's weather (*J. Atmos. Sci.* 20 (1963) 130–141).
+/// let weather = FromRate::new(|_t, [x, y, z]: [f64; 3]| {
+///     [10.0 * (y - x), x * (28.0 - z) - y, x * y - 8.0 / 3.0 * z]
+/// });
+/// let end = integrate(&weather, &Rk4, [1.0, 1.0, 1.0], &Grid::with_duration(0.01, 20.0)?, &mut ());
+/// assert!(end[0].abs() < 20.0 && end[2] > 0.0);
+/// # Ok::<(), pendula::Error>(())
+/// ```
 ///
 /// Methods for every [`System`] integrate it, and so do steps that vary. For a splitting method
-/// implement [`Separable`](crate::Separable) for a type of your own.
+/// give the accelerations alone, by [`FromForce`](super::FromForce), or implement
+/// [`Separable`](crate::Separable) for a type of your own.
+///
+/// The state may have names too: what [`state!`](crate::state) makes, or a [`Phase`](super::Phase).
 ///
 /// ```
 /// use pendula::adaptive::{Adaptive, Tolerance};
@@ -40,19 +58,70 @@ pub struct FromRate<Z, F> {
     state: PhantomData<fn(Z) -> Z>,
 }
 
-impl<Z: State, F: Fn(f64, Z) -> Z::Displacement> FromRate<Z, F> {
-    /// The system with the `rate` of change f(t, z).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no state of a system",
+    note = "write the closure's argument as an array of numbers, `|t, y: [f64; 3]| …`, or as a \
+            state that `pendula::state!` has made",
+    note = "a state is copied, which a `Vec` cannot be: its length has to be known to the compiler"
+)]
+/// What the closure of a [`FromRate`] may take: a [`State`], or an array of numbers.
+pub trait AsState: Copy {
+    /// The state that methods work with.
+    type State: State;
+
+    /// What the closure returns: the rate of change.
+    type Rate;
+
+    /// What the closure takes, for this state.
+    fn of(state: Self::State) -> Self;
+
+    /// The rate of change of the state, for what the closure returns.
+    fn displacement(rate: Self::Rate) -> <Self::State as State>::Displacement;
+}
+
+impl<Z: State> AsState for Z {
+    type State = Z;
+    type Rate = Z::Displacement;
+
+    #[inline(always)]
+    fn of(state: Z) -> Z {
+        state
+    }
+
+    #[inline(always)]
+    fn displacement(rate: Z::Displacement) -> Z::Displacement {
+        rate
+    }
+}
+
+impl<const N: usize> AsState for [f64; N] {
+    type State = Array<N>;
+    type Rate = [f64; N];
+
+    #[inline(always)]
+    fn of(Array(numbers): Array<N>) -> [f64; N] {
+        numbers
+    }
+
+    #[inline(always)]
+    fn displacement(rate: [f64; N]) -> Array<N> {
+        Array(rate)
+    }
+}
+
+impl<Z: AsState, F: Fn(f64, Z) -> Z::Rate> FromRate<Z, F> {
+    /// The system with the `rate` of change f(t, y).
     pub const fn new(rate: F) -> Self {
         Self { rate, state: PhantomData }
     }
 }
 
-impl<Z: State, F: Fn(f64, Z) -> Z::Displacement> System for FromRate<Z, F> {
-    type State = Z;
+impl<Z: AsState, F: Fn(f64, Z) -> Z::Rate> System for FromRate<Z, F> {
+    type State = Z::State;
 
     #[inline(always)]
-    fn rate(&self, t: f64, z: Z) -> RateOf<Self> {
-        (self.rate)(t, z)
+    fn rate(&self, t: f64, z: Z::State) -> RateOf<Self> {
+        Z::displacement((self.rate)(t, Z::of(z)))
     }
 }
 

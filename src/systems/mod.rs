@@ -16,12 +16,27 @@
 //!
 //! # A system of your own
 //!
-//! A state of named components, made by [`state!`](crate::state), and an implementation of
+//! The shortest is a closure: the accelerations of positions by [`FromForce`], any rate of change
+//! by [`FromRate`].
+//!
+//! ```
+//! use pendula::systems::{ArrayPhase, FromForce};
+//! use pendula::{Grid, StormerVerlet, integrate};
+//!
+//! // Two masses between three springs.
+//! let chain = FromForce::new(|_t, [x, y]: [f64; 2]| [y - 2.0 * x, x - 2.0 * y]);
+//! let start = ArrayPhase::at_rest([1.0, 1.0]);
+//! let end = integrate(&chain, &StormerVerlet, start, &Grid::with_duration(0.01, 10.0)?, &mut ());
+//! // Side by side they swing as one on one spring.
+//! assert!((end.positions[0] - 10.0_f64.cos()).abs() < 1e-4);
+//! # Ok::<(), pendula::Error>(())
+//! ```
+//!
+//! A type of your own is for parameters with names and checks. It has a state of named components, made by [`state!`](crate::state), and an implementation of
 //! [`System`] with the equations. Add [`Separable`] if the equations split into kick and drift, and
 //! every splitting method integrates it too; add [`Hamiltonian`] if there is an energy, and its
 //! drift can be measured. Where the numbers of a state have no names, it is an [`Array`], or for
-//! particles an [`ArrayPhase`]; where the equations are a line or two, a closure is a system by
-//! [`FromRate`].
+//! particles an [`ArrayPhase`].
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;
@@ -75,6 +90,7 @@ mod compensated;
 mod damped;
 mod double_pendulum;
 mod driven;
+mod from_force;
 mod from_rate;
 mod gradient;
 mod linear_oscillator;
@@ -94,7 +110,8 @@ pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
 pub use driven::Driven;
-pub use from_rate::FromRate;
+pub use from_force::FromForce;
+pub use from_rate::{AsState, FromRate};
 pub use gradient::{ForceGradient, Processor};
 pub use linear_oscillator::LinearOscillator;
 pub use mean_force::MeanForce;

@@ -19,7 +19,9 @@ pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no state of a system",
     note = "`pendula::state!` makes a state of named components; `pendula::systems::Array` is one \
-            of numbers without names"
+            of numbers without names",
+    note = "a closure of an array, `|t, y: [f64; 3]| …`, is a system by \
+            `pendula::systems::FromRate::new`"
 )]
 /// A state: a displacement can be added to it.
 ///
@@ -441,6 +443,13 @@ state! {
         pub theta: f64,
         /// Angular velocity, dθ/dt.
         pub omega: f64,
+    }
+}
+
+impl From<[f64; 2]> for Phase {
+    #[inline]
+    fn from([theta, omega]: [f64; 2]) -> Self {
+        Self { theta, omega }
     }
 }
 

@@ -5,6 +5,15 @@ use core::cell::Cell;
 
 use crate::systems::State;
 
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of equations",
+    label = "not a `pendula::System`",
+    note = "a closure for the rate of change is one by \
+            `pendula::systems::FromRate::new(|t, y: [f64; 3]| …)`",
+    note = "a closure for the accelerations is one by \
+            `pendula::systems::FromForce::new(|t, x: [f64; 3]| …)`",
+    note = "a type of your own is one by `impl pendula::System`"
+)]
 /// A system of ordinary differential equations, ż = f(t, z).
 pub trait System {
     /// The point z in phase space.
@@ -29,7 +38,9 @@ pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not split into kick and drift",
     label = "this method needs a system that does",
-    note = "implement `Separable` for it, or take a method for every system, such as `Rk4`"
+    note = "implement `Separable` for it, or take a method for every system, such as `Rk4`",
+    note = "if its accelerations depend on the positions and the time alone, \
+            `pendula::systems::FromForce::new(|t, x: [f64; 3]| …)` is one that splits"
 )]
 /// A system that splits into two halves, each solved exactly: the force kicks the velocity, the
 /// velocity drifts the position. This is what symplectic splitting methods need.
@@ -50,7 +61,7 @@ pub trait Separable: System {
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no energy",
-    note = "implement `Hamiltonian` for it"
+    note = "implement `Hamiltonian` for it; a `FromForce` gets it by `with_potential`"
 )]
 /// A system with a conserved energy.
 pub trait Hamiltonian: System {
