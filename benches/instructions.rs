@@ -30,12 +30,10 @@ const PENDULUMS: usize = 16;
 fn fast_named(name: &str, grid: &Grid) -> Option<Phase> {
     let (pendulum, start) = (Pendulum::PAPER, black_box(START));
     match name {
-        "forward-euler" => Some(integrate_fast(&pendulum, &ForwardEuler, start, grid, &mut ())),
-        "symplectic-euler" => {
-            Some(integrate_fast(&pendulum, &SymplecticEuler, start, grid, &mut ()))
-        }
-        "rk4" => Some(integrate_fast(&pendulum, &Rk4, start, grid, &mut ())),
-        "stormer-verlet" => Some(integrate_fast(&pendulum, &StormerVerlet, start, grid, &mut ())),
+        "forward-euler" => Some(integrate_fast(&pendulum, &ForwardEuler, start, grid)),
+        "symplectic-euler" => Some(integrate_fast(&pendulum, &SymplecticEuler, start, grid)),
+        "rk4" => Some(integrate_fast(&pendulum, &Rk4, start, grid)),
+        "stormer-verlet" => Some(integrate_fast(&pendulum, &StormerVerlet, start, grid)),
         _ => None,
     }
 }

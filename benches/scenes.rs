@@ -18,7 +18,9 @@ use pendula::fast::Ensemble;
 use pendula::integrate::{Every, Record};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, integrate_fast};
+use pendula::{
+    Grid, LinearOscillator, Motion, Pendulum, Phase, integrate, integrate_fast, integrate_fast_with,
+};
 
 const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
@@ -65,11 +67,11 @@ fn measure() {
     let verlet = naive("stormer-verlet", one);
     table.row("the naive loop, Störmer–Verlet, from 1 rad", "nothing", verlet, verlet);
     let time = median(steps, || {
-        integrate(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+        integrate(&pendulum, &StormerVerlet, black_box(one), black_box(&grid)).theta
     });
     table.row("`integrate`, the end only", "one half kick of two", time, verlet);
     let time = median(steps, || {
-        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid)).theta
     });
     let skipped = "and every factor h, the reduction of θ, the wait for the last product";
     table.row("`integrate_fast`, the end only", skipped, time, verlet);
@@ -79,15 +81,21 @@ fn measure() {
     let hundred = NonZeroU64::new(100).expect("not zero");
     let time = median(steps, || {
         let mut watch = Every::new(hundred, &mut every_100th);
-        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
+        integrate_fast_with(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
             .theta
     });
     table.row("… every 100th state", "the half kick and ω for the others", time, verlet);
     let mut states = vec![Phase::default(); grid.samples() as usize];
     let time = median(steps, || {
         let mut record = Record::new(&mut states);
-        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut record)
-            .theta
+        integrate_fast_with(
+            &pendulum,
+            &StormerVerlet,
+            black_box(one),
+            black_box(&grid),
+            &mut record,
+        )
+        .theta
     });
     table.row("… every state kept", "", time, verlet);
     let mut angles = vec![0.0; grid.samples() as usize];
@@ -98,36 +106,41 @@ fn measure() {
                 *slot = z.theta;
             }
         };
-        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
+        integrate_fast_with(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut watch)
             .theta
     });
     table.row("… every θ kept", "the half kick and ω", time, verlet);
     let time = median(steps, || {
         let mut drift = EnergyDrift::new(&pendulum);
-        integrate_fast(&pendulum, &StormerVerlet, black_box(one), black_box(&grid), &mut drift);
+        integrate_fast_with(
+            &pendulum,
+            &StormerVerlet,
+            black_box(one),
+            black_box(&grid),
+            &mut drift,
+        );
         drift.largest()
     });
     table.row("… the largest energy error", "a cosine: 2 sin² θ/2, in blocks", time, verlet);
     let linear = LinearOscillator::new(pendulum);
     let time = median(steps, || {
-        integrate(&linear, &StormerVerlet, black_box(one), black_box(&grid), &mut ()).theta
+        integrate(&linear, &StormerVerlet, black_box(one), black_box(&grid)).theta
     });
     table.row("the linear oscillator", "the sine", time, verlet);
 
     let naive_from_three = naive("stormer-verlet", three);
     let time = median(steps, || {
-        integrate_fast(&pendulum, &StormerVerlet, black_box(three), black_box(&grid), &mut ()).theta
+        integrate_fast(&pendulum, &StormerVerlet, black_box(three), black_box(&grid)).theta
     });
     table.row("`integrate_fast` from 3 rad", "", time, naive_from_three);
     for (start, from) in [(one, "1 rad"), (three, "3 rad")] {
         let time = median(steps, || {
-            integrate_fast(&pendulum, &SymplecticEuler, black_box(start), black_box(&grid), &mut ())
-                .theta
+            integrate_fast(&pendulum, &SymplecticEuler, black_box(start), black_box(&grid)).theta
         });
         let scene = format!("symplectic Euler, from {from}");
         table.row(&scene, "", time, naive("symplectic-euler", start));
         let time = median(steps, || {
-            integrate_fast(&pendulum, &Rk4, black_box(start), black_box(&grid), &mut ()).theta
+            integrate_fast(&pendulum, &Rk4, black_box(start), black_box(&grid)).theta
         });
         table.row(&format!("RK4, from {from}"), "", time, naive("rk4", start));
     }

@@ -15,7 +15,10 @@ use pendula::fast::ScaledPendulum;
 use pendula::integrate::Record;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
-use pendula::{AnyMethod, Grid, Info, METHODS, Method, Pendulum, Phase, integrate, integrate_fast};
+use pendula::{
+    AnyMethod, Grid, Info, METHODS, Method, Pendulum, Phase, integrate, integrate_fast,
+    integrate_fast_with,
+};
 
 const STEPS: u64 = 10_000;
 const STEP: f64 = 0.01;
@@ -38,12 +41,10 @@ where
         });
     }
     group.bench_function(format!("{name}/integrate"), |bencher| {
-        bencher.iter(|| integrate(&pendulum, &method, black_box(start), black_box(&grid), &mut ()));
+        bencher.iter(|| integrate(&pendulum, &method, black_box(start), black_box(&grid)));
     });
     group.bench_function(format!("{name}/integrate_fast"), |bencher| {
-        bencher.iter(|| {
-            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut ())
-        });
+        bencher.iter(|| integrate_fast(&pendulum, &method, black_box(start), black_box(&grid)));
     });
 }
 
@@ -63,21 +64,19 @@ where
     let name = method.info().name;
     let (pendulum, grid) = (Pendulum::PAPER, grid());
     group.bench_function(format!("{name}/integrate_fast/nothing"), |bencher| {
-        bencher.iter(|| {
-            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut ())
-        });
+        bencher.iter(|| integrate_fast(&pendulum, &method, black_box(start), black_box(&grid)));
     });
     let mut states = vec![Phase::default(); grid.samples() as usize];
     group.bench_function(format!("{name}/integrate_fast/every state"), |bencher| {
         bencher.iter(|| {
             let mut record = Record::new(&mut states);
-            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut record)
+            integrate_fast_with(&pendulum, &method, black_box(start), black_box(&grid), &mut record)
         });
     });
     group.bench_function(format!("{name}/integrate_fast/energy drift"), |bencher| {
         bencher.iter(|| {
             let mut drift = EnergyDrift::new(&pendulum);
-            integrate_fast(&pendulum, &method, black_box(start), black_box(&grid), &mut drift);
+            integrate_fast_with(&pendulum, &method, black_box(start), black_box(&grid), &mut drift);
             drift.largest()
         });
     });

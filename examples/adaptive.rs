@@ -9,7 +9,7 @@ fn main() -> Result<(), Error> {
     let exact = Motion::new(&pendulum, start)?.at(10.0);
     for tolerance in [1e-6, 1e-9, 1e-12] {
         let adaptive = Adaptive::new(Dop853, Tolerance::uniform(tolerance)?);
-        let (end, counts) = adaptive.integrate(&pendulum, start, 0.0, 10.0, &mut ())?;
+        let (end, counts) = adaptive.integrate(&pendulum, start, 0.0, 10.0)?;
         let error = (end - exact).theta.abs();
         println!("{tolerance:.0e}: {} steps, {error:.0e} rad off", counts.accepted);
         // Near the top the motion is unstable, and errors grow.

@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use pendula::systems::{DoublePhase, Joint};
-use pendula::{DoublePendulum, Error, Grid, Hamiltonian, Observer, Rk4, integrate};
+use pendula::{DoublePendulum, Error, Grid, Hamiltonian, Observer, Rk4, integrate_with};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let dots = picture(&Releases::new(1000)?);
@@ -41,7 +41,7 @@ impl Releases {
             return UNABLE;
         }
         let mut flip = FirstFlip(None);
-        integrate(&self.double, &Rk4, start, &self.grid, &mut flip);
+        integrate_with(&self.double, &Rk4, start, &self.grid, &mut flip);
         flip.0.map_or(NOT_YET, |step| band(step, self.grid.steps()))
     }
 }

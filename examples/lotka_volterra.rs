@@ -32,9 +32,9 @@ fn main() -> Result<(), Error> {
     let grid = Grid::with_duration(0.01, 20.0)?;
     let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-10)?);
     for (name, end) in [
-        ("RK4", integrate(&LotkaVolterra, &Rk4, start, &grid, &mut ())),
-        ("Gauss 4", integrate(&LotkaVolterra, &Gauss4, start, &grid, &mut ())),
-        ("DOP853", adaptive.integrate(&LotkaVolterra, start, 0.0, 20.0, &mut ())?.0),
+        ("RK4", integrate(&LotkaVolterra, &Rk4, start, &grid)),
+        ("Gauss 4", integrate(&LotkaVolterra, &Gauss4, start, &grid)),
+        ("DOP853", adaptive.integrate(&LotkaVolterra, start, 0.0, 20.0)?.0),
     ] {
         let lost = constant(end) - constant(start);
         println!("{name:8} {end:?}, the constant off by {lost:.0e}");

@@ -6,13 +6,13 @@
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;
-//! use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
+//! use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate, integrate_with};
 //!
 //! let pendulum = Pendulum::PAPER;
 //! let ten_seconds = Grid::with_duration(0.01, 10.0)?;
 //! let mut drift = EnergyDrift::new(&pendulum);
 //! let end =
-//!     integrate(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &ten_seconds, &mut drift);
+//!     integrate_with(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &ten_seconds, &mut drift);
 //! assert!(end.theta.abs() < 1.0 && drift.largest() < 1.1e-3);
 //! # Ok::<(), pendula::Error>(())
 //! ```
@@ -106,8 +106,12 @@ pub use error::Error;
 pub use exact::{Motion, MotionKind};
 #[cfg(feature = "ensemble")]
 pub use fast::Ensemble;
-pub use fast::integrate_fast;
-pub use integrate::{Grid, Method, Observer, Unsolved, integrate, try_integrate};
+pub use fast::{integrate_fast, integrate_fast_with};
+#[cfg(feature = "alloc")]
+pub use integrate::trajectory;
+pub use integrate::{
+    Grid, Method, Observer, Unsolved, integrate, integrate_with, try_integrate, try_integrate_with,
+};
 pub use methods::{ForwardEuler, Info, MethodInfo, Rk4, StormerVerlet, SymplecticEuler, Taylor};
 #[cfg(feature = "alloc")]
 pub use registry::{AnyMethod, METHODS, method_named};
@@ -124,6 +128,8 @@ pub mod internals {
     pub use crate::adaptive::series::order;
     pub use crate::arithmetic::rough::{exp2, log2};
     pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
+    #[cfg(feature = "alloc")]
+    pub use crate::registry::in_seconds;
 }
 
 /// The README's listing, run as a test.

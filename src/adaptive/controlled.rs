@@ -7,13 +7,39 @@ use super::control::Controller;
 use crate::methods::runge_kutta::{Embedded, Interpolant};
 use crate::systems::{Components, Counting, RateOf, System};
 
+/// What keeps [`ChoosesSteps`] to the methods of this library and those that are [`Embedded`].
+mod sealed {
+    pub trait Sealed {}
+
+    impl<M: crate::methods::runge_kutta::Embedded> Sealed for M {}
+    impl Sealed for crate::adaptive::TaylorSeries {}
+    impl Sealed for crate::adaptive::AnyEmbedded {}
+}
+
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not estimate its own error, and cannot choose its steps",
-    note = "`Dop853`, `DormandPrince` and, for analytic systems, `TaylorSeries` do"
+    note = "`Dop853`, `DormandPrince` and, for analytic systems, `TaylorSeries` do",
+    note = "a method of your own does by `impl pendula::methods::Embedded`"
 )]
-/// A method that chooses its steps by a tolerance: one that estimates its own error
-/// ([`Embedded`]), or [`TaylorSeries`](super::TaylorSeries).
-pub trait Controlled<S: System<State: Components>>: Copy {
+/// A method that can choose its steps by a tolerance: one that estimates its own error, which is
+/// what [`Embedded`] means, or [`TaylorSeries`](super::TaylorSeries).
+///
+/// It is sealed: a method of your own becomes one by implementing [`Embedded`].
+pub trait ChoosesSteps: sealed::Sealed + Copy {}
+
+#[diagnostic::do_not_recommend]
+impl<M: Embedded> ChoosesSteps for M {}
+
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot choose its steps on `{S}`",
+    note = "`Dop853` and `DormandPrince` can on every system; `TaylorSeries` on those that are \
+            `Analytic`, as the pendulum is"
+)]
+/// A method that chooses its steps by a tolerance, on the system `S`: what a function that is
+/// generic in its method asks for. Its calls are those of [`Adaptive`](super::Adaptive).
+///
+/// It is sealed, as [`ChoosesSteps`] is.
+pub trait Controlled<S: System<State: Components>>: ChoosesSteps {
     /// What a walk keeps from one step to the next.
     type Memory: Copy;
 
@@ -23,21 +49,23 @@ pub trait Controlled<S: System<State: Components>>: Copy {
     /// The coefficients of dense output.
     type Dense: Copy + Interpolant<RateOf<S>>;
 
-    /// What is kept before the first step of a walk of `duration` (s) from `z` at time `t` (s).
+    /// What is kept before the first step of a walk of `duration` (s) from `z` at time `t` (s). The
+    /// size of its `first` attempt (s) may be given.
     fn begin(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         t: f64,
         z: S::State,
         duration: f64,
+        first: Option<f64>,
     ) -> Self::Memory;
 
     /// The size of the next attempt (s), from `z` at time `t` (s).
     fn propose(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         memory: &mut Self::Memory,
         t: f64,
         z: S::State,
@@ -48,7 +76,7 @@ pub trait Controlled<S: System<State: Components>>: Copy {
     fn attempt_step(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         memory: &mut Self::Memory,
         times: Times,
         z: S::State,
@@ -59,6 +87,7 @@ pub trait Controlled<S: System<State: Components>>: Copy {
     fn interpolant(
         &self,
         system: &Counting<&S>,
+        tolerance: &Tolerance<'_>,
         memory: &Self::Memory,
         times: Times,
         z: S::State,
@@ -96,13 +125,17 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
     fn begin(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         t: f64,
         z: S::State,
         duration: f64,
+        first: Option<f64>,
     ) -> Self::Memory {
         let slope = system.rate(t, z);
-        let h = first_step(system, tolerance, t, z, slope, duration, M::ESTIMATE_ORDER);
+        let h = match first {
+            Some(first) => libm::copysign(first, duration),
+            None => first_step(system, tolerance, t, z, slope, duration, M::ESTIMATE_ORDER),
+        };
         Estimated { slope, controller: Controller::new(M::ESTIMATE_ORDER), h }
     }
 
@@ -110,7 +143,7 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
     fn propose(
         &self,
         _system: &Counting<&S>,
-        _tolerance: &Tolerance,
+        _tolerance: &Tolerance<'_>,
         memory: &mut Self::Memory,
         _t: f64,
         _z: S::State,
@@ -122,7 +155,7 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
     fn attempt_step(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         memory: &mut Self::Memory,
         Times { start, step, end: end_time }: Times,
         z: S::State,
@@ -143,6 +176,7 @@ impl<S: System<State: Components>, M: Embedded> Controlled<S> for M {
     fn interpolant(
         &self,
         system: &Counting<&S>,
+        _tolerance: &Tolerance<'_>,
         _memory: &Self::Memory,
         Times { start, step, .. }: Times,
         z: S::State,
@@ -182,7 +216,7 @@ impl<S: System<State: Components>> System for Watched<'_, S> {
 /// Differential Equations I*, Sect. II.4).
 fn first_step<S: System<State: Components>>(
     system: &S,
-    tolerance: &Tolerance,
+    tolerance: &Tolerance<'_>,
     t: f64,
     z: S::State,
     slope: RateOf<S>,
@@ -214,7 +248,7 @@ fn first_step<S: System<State: Components>>(
 
 /// The time (s) in which the state `z` would change by as much as it is, at the rate `slope`.
 pub(super) fn time_scale<Z: Components>(
-    tolerance: &Tolerance,
+    tolerance: &Tolerance<'_>,
     z: Z,
     slope: Z::Displacement,
 ) -> Option<f64> {

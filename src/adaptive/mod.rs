@@ -1,12 +1,14 @@
 //! Steps whose size follows the motion.
 //!
 //! [`Adaptive`] is an embedded Runge–Kutta method, or the [`TaylorSeries`] of the motion, with a
-//! [`Tolerance`]. It [integrates](Adaptive::integrate()) with an observer, or iterates [step by
-//! step](Adaptive::steps); each step has [dense output](Dense), a state at every time within it.
-//! From it come the [states at given times](AdaptiveSteps::states_at), and on it
-//! [crossings](AdaptiveSteps::crossings) are found, the period or the passage over the top, and the
-//! [events](AdaptiveSteps::events) of several functions. Kept as a `Solution`, it can be looked up
-//! later.
+//! [`Tolerance`], which may be another for each component. It finds the [last
+//! state](Adaptive::integrate()), with the feature `alloc` also the states at given times
+//! (`Adaptive::states`) and a solution that is asked for a state later (`Adaptive::solve`). For all
+//! else it iterates [step by step](Adaptive::steps); each step has [dense output](Dense), a state
+//! at every time within it. From it come the [states at given times](AdaptiveSteps::states_at) one
+//! by one, and on it [crossings](AdaptiveSteps::crossings) are found, the period or the passage
+//! over the top, and the [events](AdaptiveSteps::events) of several functions. A method is named by
+//! its type, or at run time as an [`AnyEmbedded`].
 //!
 //! ```
 //! use pendula::adaptive::{Adaptive, Direction, Tolerance};
@@ -28,6 +30,7 @@
 
 pub(crate) mod control;
 mod controlled;
+mod embedded;
 mod events;
 pub(crate) mod series;
 #[cfg(feature = "alloc")]
@@ -36,7 +39,8 @@ mod steps;
 mod symmetric;
 mod tolerance;
 
-pub use controlled::Controlled;
+pub use controlled::{ChoosesSteps, Controlled, Times};
+pub use embedded::AnyEmbedded;
 pub use events::{Crossing, Crossings, Direction, Event, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;
 #[cfg(feature = "alloc")]
@@ -77,28 +81,40 @@ use crate::systems::{Components, System};
 /// let rate = |x: f64| if x > 0.0 { -0.5 / x } else { f64::NAN };
 /// let system = FromRate::new(|_t, x: Array<1>| Array([rate(x.0[0])]));
 /// let adaptive = Adaptive::new(DormandPrince, Tolerance::uniform(1e-3)?);
-/// let end = adaptive.integrate(&system, Array([1.0]), 0.0, 2.0, &mut ());
+/// let end = adaptive.integrate(&system, Array([1.0]), 0.0, 2.0);
 /// let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
 /// assert!((t - 1.0).abs() < 0.01);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Adaptive<M> {
+pub struct Adaptive<'t, M> {
     method: M,
-    tolerance: Tolerance,
+    tolerance: Tolerance<'t>,
     limit: u64,
     /// The largest step (s).
     longest: f64,
+    /// The first attempt (s), unless it is to be found.
+    first: Option<f64>,
 }
 
 /// A million: a problem that takes more has too small a tolerance for f64, or is not for an
 /// explicit method.
 pub const STEP_LIMIT: u64 = 1_000_000;
 
-impl<M: Copy> Adaptive<M> {
+impl<'t, M: ChoosesSteps> Adaptive<'t, M> {
     /// `method` with the error of each step within `tolerance`, in at most [`STEP_LIMIT`] attempts.
-    pub const fn new(method: M, tolerance: Tolerance) -> Self {
-        Self { method, tolerance, limit: STEP_LIMIT, longest: f64::INFINITY }
+    pub const fn new(method: M, tolerance: Tolerance<'t>) -> Self {
+        Self { method, tolerance, limit: STEP_LIMIT, longest: f64::INFINITY, first: None }
+    }
+
+    /// The same with a first attempt of `first` (s), whichever way the walk goes. Without, its size
+    /// is found from the rate at the start and a little later; a
+    /// [`TaylorSeries`] may begin with a shorter one.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a step that is not finite and positive.
+    pub fn first_step(self, first: f64) -> Result<Self, Error> {
+        Ok(Self { first: Some(positive("first step (s)", first)?), ..self })
     }
 
     /// The same with at most `attempts` steps, rejected ones included.
@@ -123,29 +139,48 @@ impl<M: Copy> Adaptive<M> {
     pub fn steps<'a, S>(
         &self,
         system: &'a S,
-        start: S::State,
+        start: impl Into<S::State>,
         from: f64,
         until: f64,
     ) -> Result<AdaptiveSteps<'a, S, M>, Error>
     where
+        't: 'a,
         S: System<State: Components>,
         M: Controlled<S>,
     {
-        AdaptiveSteps::new(*self, system, start, from, until)
+        AdaptiveSteps::new(*self, system, start.into(), from, until)
     }
 
-    /// Integrates `system` from `start` at time `from` (s) to time `until` (s) and passes the start
-    /// and the end of each step to `observer`. Returns the last state, which is that at `until` or
-    /// the one that satisfied the observer, and what it cost.
+    /// Integrates `system` from `start` at time `from` (s) to time `until` (s). Returns the last
+    /// state, and what it cost.
     ///
     /// # Errors
     /// As [`Adaptive::steps`]; [`Error::StepTooSmall`] where every step, however small, is off by
     /// more than the tolerance or meets a rate that is not finite; [`Error::OutOfSteps`] after the
     /// allowed number of attempts.
-    pub fn integrate<S, O>(
+    pub fn integrate<S>(
         &self,
         system: &S,
-        start: S::State,
+        start: impl Into<S::State>,
+        from: f64,
+        until: f64,
+    ) -> Result<(S::State, Counts), Error>
+    where
+        S: System<State: Components>,
+        M: Controlled<S>,
+    {
+        self.integrate_with(system, start, from, until, &mut ())
+    }
+
+    /// [`integrate`](Self::integrate()), with the start and the end of each step passed to
+    /// `observer`: the last state is that at `until`, or the one that satisfied the observer.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn integrate_with<S, O>(
+        &self,
+        system: &S,
+        start: impl Into<S::State>,
         from: f64,
         until: f64,
         observer: &mut O,
@@ -156,7 +191,7 @@ impl<M: Copy> Adaptive<M> {
         O: Observer<S::State> + ?Sized,
     {
         let mut walk = self.steps(system, start, from, until)?;
-        observer.observe(0, from, start);
+        observer.observe(0, from, walk.state());
         while !observer.is_satisfied()
             && let Some(step) = walk.next()
         {
@@ -164,5 +199,71 @@ impl<M: Copy> Adaptive<M> {
             observer.observe(walk.counts().accepted, step.end_time(), step.end());
         }
         Ok((walk.state(), walk.counts()))
+    }
+
+    /// The solution from `start` at time `from` (s) to time `until` (s), which is kept, and can be
+    /// asked for the state at any time between them: SciPy's `dense_output`.
+    ///
+    /// ```
+    /// use pendula::adaptive::{Adaptive, Tolerance};
+    /// use pendula::methods::Dop853;
+    /// use pendula::{Pendulum, Phase};
+    ///
+    /// let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-9)?);
+    /// let solution = adaptive.solve(&Pendulum::PAPER, Phase::at_rest(1.0), 0.0, 10.0)?;
+    /// assert!(solution.at(7.3).is_some_and(|z| z.theta.abs() < 1.0));
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`integrate`](Self::integrate()).
+    #[cfg(feature = "alloc")]
+    pub fn solve<S>(
+        &self,
+        system: &S,
+        start: impl Into<S::State>,
+        from: f64,
+        until: f64,
+    ) -> Result<Solution<S, M>, Error>
+    where
+        S: System<State: Components>,
+        M: Controlled<S>,
+    {
+        self.steps(system, start, from, until)?.solution()
+    }
+
+    /// The states at the `times` (s), from `start` at time `from` (s): SciPy's `t_eval`. The times
+    /// follow each other in one direction, away from `from`, and the last is the end of the walk.
+    ///
+    /// ```
+    /// use pendula::adaptive::{Adaptive, Tolerance};
+    /// use pendula::methods::Dop853;
+    /// use pendula::{Motion, Pendulum, Phase};
+    ///
+    /// let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
+    /// let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-12)?);
+    /// let states = adaptive.states(&pendulum, start, 0.0, &[0.0, 0.5, 2.5])?;
+    /// assert_eq!(states[0], start);
+    /// assert!((states[2] - Motion::new(&pendulum, start)?.at(2.5)).theta.abs() < 1e-10);
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`integrate`](Self::integrate()); also [`Error::Parameter`] for a time that is not
+    /// finite, and for one that goes back.
+    #[cfg(feature = "alloc")]
+    pub fn states<S>(
+        &self,
+        system: &S,
+        start: impl Into<S::State>,
+        from: f64,
+        times: &[f64],
+    ) -> Result<alloc::vec::Vec<S::State>, Error>
+    where
+        S: System<State: Components>,
+        M: Controlled<S>,
+    {
+        let until = times.last().copied().unwrap_or(from);
+        self.steps(system, start, from, until)?.states_at(times.iter().copied()).collect()
     }
 }

@@ -3,7 +3,7 @@
 
 use super::Tolerance;
 use super::control::{GROW, SHRINK};
-use super::controlled::{Controlled, Times, time_scale};
+use super::controlled::{ChoosesSteps, Controlled, Times, time_scale};
 use crate::arithmetic::rough::{exp2, log2};
 use crate::methods::runge_kutta::Interpolant;
 use crate::systems::{Analytic, Components, Counting, Majorant, RateOf, System, Vector};
@@ -75,7 +75,7 @@ const MOST: usize = 24;
 
 // ANCHOR: order
 /// The order for this tolerance.
-pub fn order(tolerance: &Tolerance) -> usize {
+pub fn order(tolerance: &Tolerance<'_>) -> usize {
     let powers = -libm::log(tolerance.relative()) + SPARE as f64;
     let blocks = libm::ceil(powers / BLOCK as f64) as usize;
     blocks.clamp(1, MOST / BLOCK) * BLOCK
@@ -88,7 +88,6 @@ pub struct Expansion<D> {
     /// The terms of the mean rate, as many as the order; what is behind them is not used.
     terms: [D; MOST],
     order: usize,
-    tolerance: Tolerance,
     /// −½/(p − 2): the power of a squared size that is a share of the radius.
     root: f64,
     /// The unit of time of the terms, and of those of the next expansion (s): the step before.
@@ -113,12 +112,12 @@ impl<D: Vector> Expansion<D> {
     /// where the terms are still in registers.
     // Not inlined: there are six series in it.
     #[inline(never)]
-    fn expand<S>(&mut self, system: &S, z: S::State) -> Option<f64>
+    fn expand<S>(&mut self, system: &S, tolerance: &Tolerance<'_>, z: S::State) -> Option<f64>
     where
         S: Analytic<State: Components<Displacement = D>>,
     {
         // Before the terms, which do not wait for it.
-        let longest = system.majorant(z).map(|majorant| self.within(&majorant, z));
+        let longest = system.majorant(z).map(|majorant| self.within(tolerance, &majorant, z));
         self.ahead.0 = f64::NAN;
         macro_rules! to_order {
             ($($order:literal)+) => {
@@ -141,24 +140,24 @@ impl<D: Vector> Expansion<D> {
 
     /// The longest step, in units, that the `majorant` allows.
     #[inline(always)]
-    fn within<Z>(&self, majorant: &Majorant<D>, z: Z) -> f64
+    fn within<Z>(&self, tolerance: &Tolerance<'_>, majorant: &Majorant<D>, z: Z) -> f64
     where
         Z: Components<Displacement = D>,
     {
-        let square = self.tolerance.square_norm(z, z, majorant.size);
+        let square = tolerance.square_norm(z, z, majorant.size);
         let share = exp2(self.root * log2(square)).min(LARGEST_SHARE);
         (majorant.radius / self.unit.abs() * share).min(GROW)
     }
 
     /// The longest step, in units, that the powers allow; none where they are not finite.
     #[inline]
-    fn longest<Z>(&self, z: Z) -> Option<f64>
+    fn longest<Z>(&self, tolerance: &Tolerance<'_>, z: Z) -> Option<f64>
     where
         Z: Components<Displacement = D>,
     {
         let order = self.order;
         // ‖zₚ₋ᵢ‖² for a step of one unit.
-        let square = |i| self.tolerance.square_norm(z, z, self.terms[order - 1 - i] * self.unit);
+        let square = |i| tolerance.square_norm(z, z, self.terms[order - 1 - i] * self.unit);
         let mut squares = [0.0; DECIDE];
         for (i, size) in squares[..order.min(DECIDE)].iter_mut().enumerate() {
             *size = square(i);
@@ -219,6 +218,8 @@ fn sum<D: Vector>(terms: &[D], x: f64) -> D {
     rest.reduce(|sum, block| sum + block).map_or(first, |rest| first + rest)
 }
 
+impl ChoosesSteps for TaylorSeries {}
+
 impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     type Memory = Expansion<RateOf<S>>;
     /// The unit of time of the step's series (s).
@@ -228,10 +229,11 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     fn begin(
         &self,
         system: &Counting<&S>,
-        tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         t: f64,
         z: S::State,
         duration: f64,
+        _first: Option<f64>,
     ) -> Self::Memory {
         let slope = system.rate(t, z);
         let scale = time_scale(tolerance, z, slope).unwrap_or(f64::INFINITY);
@@ -240,7 +242,6 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
         Expansion {
             terms: [slope; MOST],
             order,
-            tolerance: *tolerance,
             root: -0.5 / (order - SPARE) as f64,
             unit,
             next_unit: unit,
@@ -255,14 +256,15 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     fn propose(
         &self,
         system: &Counting<&S>,
-        _tolerance: &Tolerance,
+        tolerance: &Tolerance<'_>,
         series: &mut Self::Memory,
         t: f64,
         z: S::State,
     ) -> f64 {
         (series.start, series.unit) = (t, series.next_unit);
         loop {
-            let longest = series.expand(system, z).or_else(|| series.longest(z));
+            let longest =
+                series.expand(system, tolerance, z).or_else(|| series.longest(tolerance, z));
             if let Some(longest) = longest {
                 return series.unit * longest;
             }
@@ -278,7 +280,7 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     fn attempt_step(
         &self,
         _system: &Counting<&S>,
-        _tolerance: &Tolerance,
+        _tolerance: &Tolerance<'_>,
         series: &mut Self::Memory,
         Times { step, .. }: Times,
         z: S::State,
@@ -295,6 +297,7 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
     fn interpolant(
         &self,
         system: &Counting<&S>,
+        tolerance: &Tolerance<'_>,
         series: &Self::Memory,
         Times { start, step, .. }: Times,
         z: S::State,
@@ -304,7 +307,7 @@ impl<S: Analytic<State: Components>> Controlled<S> for TaylorSeries {
         // The walk has gone on, and has the series of a later step.
         if series.start != start {
             (series.start, series.unit) = (start, *unit);
-            series.expand(system, z);
+            series.expand(system, tolerance, z);
         }
         Within { series, step }
     }

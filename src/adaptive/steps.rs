@@ -119,7 +119,7 @@ impl<S: System<State: Components>, M: Controlled<S>> Clone for Reading<S, M> {
 /// # Ok::<(), pendula::Error>(())
 /// ```
 pub struct AdaptiveSteps<'a, S: System<State: Components>, M: Controlled<S>> {
-    adaptive: Adaptive<M>,
+    adaptive: Adaptive<'a, M>,
     system: Counting<&'a S>,
     memory: M::Memory,
     t: f64,
@@ -156,7 +156,7 @@ where
     M: Controlled<S>,
 {
     pub(super) fn new(
-        adaptive: Adaptive<M>,
+        adaptive: Adaptive<'a, M>,
         system: &'a S,
         z: S::State,
         t: f64,
@@ -166,9 +166,16 @@ where
         finite("start time (s)", t)?;
         finite("end time (s)", until)?;
         finite("duration (s)", duration)?;
+        let mut odd = None;
+        let _ = z.map_components(|x| {
+            odd = odd.or(Some(x).filter(|x| !x.is_finite()));
+            x
+        });
+        finite("component of the start", odd.unwrap_or(0.0))?;
         let system = Counting::new(system);
-        let Adaptive { method, tolerance, .. } = &adaptive;
-        let memory = method.begin(&system, tolerance, t, z, duration);
+        let Adaptive { method, tolerance, first, .. } = &adaptive;
+        tolerance.check(z)?;
+        let memory = method.begin(&system, tolerance, t, z, duration, *first);
         let (accepted, rejected, failed) = (0, 0, false);
         let reading = None;
         Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed, reading })
@@ -197,9 +204,9 @@ where
 
     /// The dense output of `step`, which may need more evaluations of the force.
     pub fn dense(&self, step: &StepOf<S, M>) -> DenseOf<S, M> {
-        let Self { adaptive: Adaptive { method, .. }, system, memory, .. } = self;
+        let Self { adaptive: Adaptive { method, tolerance, .. }, system, memory, .. } = self;
         let Step { times, z, record, .. } = step;
-        let coefficients = method.interpolant(system, memory, *times, *z, record);
+        let coefficients = method.interpolant(system, tolerance, memory, *times, *z, record);
         let mut dense = Dense::new(times.start, times.step, *z, coefficients);
         dense.end = times.end;
         dense
@@ -283,7 +290,10 @@ where
 
     fn advance(&mut self) -> Result<StepOf<S, M>, Error> {
         let Self { t, z, until, .. } = *self;
-        let Adaptive { method, tolerance, limit, longest } = self.adaptive;
+        let Adaptive { method, tolerance, limit, mut longest, first } = self.adaptive;
+        if self.accepted + self.rejected == 0 {
+            longest = first.map_or(longest, |first| first.min(longest));
+        }
         loop {
             if self.accepted + self.rejected >= limit {
                 return Err(Error::OutOfSteps { t, limit });

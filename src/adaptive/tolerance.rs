@@ -7,9 +7,32 @@ use crate::systems::Components;
 ///
 /// It bounds the error of a step, not of the run: errors add up from step to step, and grow with
 /// the motion. But the error of the run falls in proportion to the tolerance.
+///
+/// The absolute part may be [another for each component](Self::for_each), where they differ much in
+/// size:
+///
+/// ```
+/// use pendula::adaptive::{Adaptive, Tolerance};
+/// use pendula::methods::DormandPrince;
+/// use pendula::systems::FromRate;
+///
+/// // Robertson's reaction, a short while: the second of its numbers is the smallest by far.
+/// let reaction = FromRate::new(|_t, [a, b, c]: [f64; 3]| {
+///     let (slow, fast, middle) = (0.04 * a, 3e7 * b * b, 1e4 * b * c);
+///     [middle - slow, slow - fast - middle, fast]
+/// });
+/// let tolerance = Tolerance::for_each(&[1e-8, 1e-12, 1e-8], 1e-8)?;
+/// let (end, _) =
+///     Adaptive::new(DormandPrince, tolerance).integrate(&reaction, [1.0, 0.0, 0.0], 0.0, 0.4)?;
+/// assert!((end[1] - 3.3864e-5).abs() < 1e-9);
+/// # Ok::<(), pendula::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
+pub struct Tolerance<'a> {
+    /// Of each component, or of the first if there are more in `each`.
     absolute: f64,
+    /// Of the components, in their order; empty if they have the same.
+    each: &'a [f64],
     relative: f64,
 }
 
@@ -17,7 +40,7 @@ pub struct Tolerance {
 /// measure nothing else (radau5.f refuses the same).
 pub const SMALLEST_RELATIVE: f64 = 10.0 * f64::EPSILON;
 
-impl Tolerance {
+impl<'a> Tolerance<'a> {
     /// `absolute` in the units of the components (rad, rad/s), and `relative` to them.
     ///
     /// # Errors
@@ -27,7 +50,23 @@ impl Tolerance {
         let absolute = positive("absolute tolerance", absolute)?;
         let fits = (SMALLEST_RELATIVE..1.0).contains(&relative);
         let allowed = "at least 2.22e-15, ten roundings of an f64, and less than 1";
-        Ok(Self { absolute, relative: checked("relative tolerance", relative, fits, allowed)? })
+        let relative = checked("relative tolerance", relative, fits, allowed)?;
+        Ok(Self { absolute, each: &[], relative })
+    }
+
+    /// The `absolute` tolerance of each component of the state, in their order and units, and one
+    /// that is `relative` to each. Of a state of arrays each number is a component: of an
+    /// [`ArrayPhase`](crate::systems::ArrayPhase) first the positions.
+    ///
+    /// # Errors
+    /// As [`Tolerance::new`], and for no tolerance at all. A walk of a state with more or fewer
+    /// components is refused where it begins.
+    pub fn for_each(absolute: &'a [f64], relative: f64) -> Result<Self, Error> {
+        let first = absolute.first().copied().unwrap_or(f64::NAN);
+        for absolute in absolute {
+            positive("absolute tolerance", *absolute)?;
+        }
+        Ok(Self { each: absolute, ..Self::new(first, relative)? })
     }
 
     /// The same number for both.
@@ -38,9 +77,21 @@ impl Tolerance {
         Self::new(tolerance, tolerance)
     }
 
-    /// The absolute tolerance of each component (rad, rad/s).
-    pub const fn absolute(&self) -> f64 {
-        self.absolute
+    /// The absolute tolerance of the component with this number, counted from 0 (rad, rad/s).
+    pub const fn absolute(&self, component: usize) -> f64 {
+        if component < self.each.len() { self.each[component] } else { self.absolute }
+    }
+
+    /// Refuses a state that has more or fewer components than there are absolute tolerances.
+    pub(super) fn check<Z: Components>(&self, z: Z) -> Result<(), Error> {
+        let mut components = 0;
+        let _ = z.map_components(|x| {
+            components += 1;
+            x
+        });
+        let fits = self.each.is_empty() || self.each.len() == components;
+        let allowed = "the number of the state's components";
+        checked("number of absolute tolerances", self.each.len() as f64, fits, allowed).map(drop)
     }
 
     /// The relative tolerance of each component.
@@ -64,29 +115,29 @@ impl Tolerance {
         to: Z,
         displacement: Z::Displacement,
     ) -> f64 {
-        let (mut squares, mut count) = (0.0, 0.0);
+        let (mut squares, mut count) = (0.0, 0);
         from.for_each_component(to, displacement, |x, y, error| {
-            let ratio = error / self.allowed(x, y);
+            let ratio = error / self.allowed(count, x, y);
             squares += ratio * ratio;
-            count += 1.0;
+            count += 1;
         });
-        squares / count
+        squares / count as f64
     }
 
     /// The size of a state itself, in tolerances. The value of `any` displacement is not used.
     pub(super) fn state_norm<Z: Components>(&self, z: Z, any: Z::Displacement) -> f64 {
-        let (mut squares, mut count) = (0.0, 0.0);
+        let (mut squares, mut count) = (0.0, 0);
         z.for_each_component(z, any, |x, _, _| {
-            let ratio = x / self.allowed(x, x);
+            let ratio = x / self.allowed(count, x, x);
             squares += ratio * ratio;
-            count += 1.0;
+            count += 1;
         });
-        libm::sqrt(squares / count)
+        libm::sqrt(squares / count as f64)
     }
 
-    /// The error allowed in a component in a step from `x` to `y`.
+    /// The error allowed in this component in a step from `x` to `y`.
     #[inline]
-    fn allowed(&self, x: f64, y: f64) -> f64 {
-        self.absolute + self.relative * x.abs().max(y.abs())
+    fn allowed(&self, component: usize, x: f64, y: f64) -> f64 {
+        self.absolute(component) + self.relative * x.abs().max(y.abs())
     }
 }

@@ -9,6 +9,7 @@ use super::sine::{self, half_turn};
 /// A number, or one for each lane of a vector: the operations are the same, and so are the bits.
 pub trait Number:
     Copy
+    + Send
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>

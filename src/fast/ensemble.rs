@@ -9,8 +9,8 @@ use core::ops::ControlFlow;
 
 use super::block::{Block, Each, LANES, Taking};
 use super::instructions::{Instructions, vectors};
-use super::{ReducedPhase, ScaledPendulum, start_at};
-use crate::integrate::{Grid, Method, Observer, Run, integrate};
+use super::{ReducedPhase, ScaledPendulum, begin};
+use crate::integrate::{Grid, Method, Observer, Run, integrate, integrate_with};
 #[cfg(feature = "table")]
 use crate::methods::{Splitting, splitting::KicksAndDrifts};
 use crate::systems::{Counting, Pendulum, Phase, System};
@@ -30,7 +30,7 @@ use crate::systems::{Counting, Pendulum, Phase, System};
 /// let mut ends = vec![Phase::default(); starts.len()];
 /// Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(&StormerVerlet, &mut ends);
 /// // Each has the bits of a run by itself.
-/// let alone = integrate_fast(&Pendulum::PAPER, &StormerVerlet, starts[7], &grid, &mut ());
+/// let alone = integrate_fast(&Pendulum::PAPER, &StormerVerlet, starts[7], &grid);
 /// assert_eq!(ends[7], alone);
 /// # Ok::<(), pendula::Error>(())
 /// ```
@@ -128,7 +128,7 @@ impl<S: System<State: Send + Sync> + Sync> Ensemble<'_, S> {
     pub fn ends_one_by_one<M: Method<S> + Sync>(&self, method: &M, ends: &mut [S::State]) {
         self.for_blocks(ends, |first, ends| {
             for (i, end) in (first..).zip(ends) {
-                *end = integrate(self.system(i), method, self.starts[i], &self.grid, &mut ());
+                *end = integrate(self.system(i), method, self.starts[i], &self.grid);
             }
         });
     }
@@ -144,7 +144,7 @@ impl<S: System<State: Send + Sync> + Sync> Ensemble<'_, S> {
     {
         self.for_blocks(observers, |first, observers| {
             for (i, observer) in (first..).zip(observers) {
-                integrate(self.system(i), method, self.starts[i], &self.grid, observer);
+                integrate_with(self.system(i), method, self.starts[i], &self.grid, observer);
             }
         });
     }
@@ -314,7 +314,7 @@ where
     }
 
     fn begin_one(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Run<'_, Phase> {
-        start_at(pendulum, self, start, grid, 0)
+        begin(pendulum, self, start, grid)
     }
 }
 

@@ -24,22 +24,38 @@ pub use ensemble::{Ensemble, InLanes, TakesBlocks};
 #[cfg(feature = "ensemble")]
 pub use instructions::Instructions;
 #[cfg(feature = "alloc")]
-pub(crate) use run::start_at;
+pub(crate) use run::begin;
 pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 
-use crate::integrate::{Grid, Method, Observer, integrate};
+#[cfg(doc)]
+use crate::integrate::integrate;
+use crate::integrate::{Grid, Method, Observer, integrate_with};
 use crate::systems::{Pendulum, Phase};
 
-/// [`integrate`] for the pendulum in two thirds of the time: with the step as the unit of time.
+/// [`integrate()`] for the pendulum in two thirds of the time: with the step as the unit of time.
 ///
-/// The same method takes the same steps; only the rounding differs. `observer` sees angle (rad) and
-/// angular velocity (rad/s) as in [`integrate`]; without an observer nothing is converted. After a
-/// step that has no solution the states are NaN, and a run of `registry::InSteps` says why.
+/// The same method takes the same steps; only the rounding differs. After a step that has no
+/// solution the states are NaN, and a run of `registry::InSteps` says why.
 #[inline]
-pub fn integrate_fast<M, O>(
+pub fn integrate_fast<M>(
     pendulum: &Pendulum,
     method: &M,
-    start: Phase,
+    start: impl Into<Phase>,
+    grid: &Grid,
+) -> Phase
+where
+    M: Method<ScaledPendulum> + Method<Pendulum>,
+{
+    integrate_fast_with(pendulum, method, start, grid, &mut ())
+}
+
+/// [`integrate_fast`], with each sample passed to `observer`: it sees angle (rad) and angular
+/// velocity (rad/s) as in [`integrate_with`].
+#[inline]
+pub fn integrate_fast_with<M, O>(
+    pendulum: &Pendulum,
+    method: &M,
+    start: impl Into<Phase>,
     grid: &Grid,
     observer: &mut O,
 ) -> Phase
@@ -47,8 +63,9 @@ where
     M: Method<ScaledPendulum> + Method<Pendulum>,
     O: Observer<Phase> + ?Sized,
 {
+    let start = start.into();
     let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
-        return integrate(pendulum, method, start, grid, observer);
+        return integrate_with(pendulum, method, start, grid, observer);
     };
     // The start is observed as it was given, and returned so if that is enough.
     observer.observe(0, 0.0, start);

@@ -7,25 +7,27 @@ use super::{ReducedPhase, ScaledPendulum};
 use crate::integrate::{BLOCK, Grid, Method, Run, Stepper, Taken, Typed};
 use crate::systems::{Counting, Pendulum, Phase};
 
-/// A run of `method` on `pendulum` from `z` after `steps` steps along `grid`, with the step as the
-/// unit of time; in seconds where [`ScaledPendulum::new`] says that this is not possible.
-pub(crate) fn start_at<'m, M>(
+/// A run of `method` on `pendulum` from `z` along `grid`, with the step as the unit of time; in
+/// seconds where [`ScaledPendulum::new`] says that this is not possible.
+pub(crate) fn begin<'m, M>(
     pendulum: &Pendulum,
     method: &'m M,
     z: Phase,
     grid: &Grid,
-    steps: u64,
 ) -> Run<'m, Phase>
 where
-    M: Method<ScaledPendulum> + Method<Counting<ScaledPendulum>> + Method<Counting<Pendulum>>,
+    M: Method<ScaledPendulum>
+        + Method<Counting<ScaledPendulum>>
+        + Method<Counting<Pendulum>>
+        + Sync,
 {
     match ScaledPendulum::new::<M>(pendulum, grid, z) {
         Some(scaled) => {
-            let typed = Typed::new(&scaled, method, steps, 1.0, scaled.from_phase(z));
+            let typed = Typed::new(scaled, method, 1.0, scaled.from_phase(z));
             let block = [typed.state(); BLOCK];
-            Run::with(Box::new(InSteps { scaled, typed, block }), z, grid, steps)
+            Run::with(Box::new(InSteps { scaled, typed, block }), z, grid)
         }
-        None => Run::start_at(pendulum, method, z, grid, steps),
+        None => Run::start(pendulum, method, z, grid),
     }
 }
 

@@ -12,6 +12,9 @@ pub use run::Run;
 #[cfg(feature = "alloc")]
 pub(crate) use run::{BLOCK, Stepper, Taken, Typed};
 
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
 use crate::error::Error;
 use crate::systems::System;
 
@@ -21,7 +24,9 @@ use crate::systems::System;
             one for every system",
     note = "an implicit method, such as `Gauss4`, is one for systems whose state has `Components`, \
             as one made by `pendula::state!` has",
-    note = "a method of your own is one by `impl<S: System> Method<S>`"
+    note = "a method of your own is one by `impl<S: System> Method<S>`",
+    note = "a `dyn AnyMethod`, which is chosen at run time, has calls of its own: `.end(…)`, \
+            `.trajectory(…)` and `.run(…)`"
 )]
 /// A one-step method for the system `S`: an immutable value that maps a state to the state one step
 /// later.
@@ -45,7 +50,7 @@ use crate::systems::System;
 pub trait Method<S: System> {
     /// What a step carries to the next: `()`, or values that need not be computed again. The time
     /// loop owns it, not the method.
-    type Carry: Copy;
+    type Carry: Copy + Send;
 
     // What the fast loops need to know of the library's own methods. For one of somebody else's the
     // defaults do: with a reach of up to 8 its turns are still counted, see `ScaledPendulum::new`,
@@ -107,17 +112,39 @@ pub struct Unsolved {
     pub change: f64,
 }
 
-/// Integrates `system` from `start` along `grid` with `method`, passes each sample to `observer`,
-/// and returns the last state: the one at the end of the grid, or the one that satisfied the
-/// observer.
+/// Integrates `system` from `start` along `grid` with `method`, and returns the last state.
+///
+/// ```
+/// use pendula::{Grid, Pendulum, Phase, Rk4, integrate};
+///
+/// let ten_seconds = Grid::with_duration(0.01, 10.0)?;
+/// let end = integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &ten_seconds);
+/// assert!(end.theta.abs() < 1.0);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+///
+/// All the states are the `trajectory`; what else is wanted of them is an observer's, by
+/// [`integrate_with`]. After a step that has no solution every component is NaN, and
+/// [`try_integrate`] says why.
+#[inline]
+pub fn integrate<S, M>(system: &S, method: &M, start: impl Into<S::State>, grid: &Grid) -> S::State
+where
+    S: System,
+    M: Method<S>,
+{
+    integrate_with(system, method, start, grid, &mut ())
+}
+
+/// [`integrate()`], with each sample passed to `observer`: the last state is the one at the end of
+/// the grid, or the one that satisfied the observer.
 ///
 /// The loop owns the method's carry, so that a force left over from another trajectory cannot be
 /// used; and it computes time from the count of steps.
 #[inline]
-pub fn integrate<S, M, O>(
+pub fn integrate_with<S, M, O>(
     system: &S,
     method: &M,
-    start: S::State,
+    start: impl Into<S::State>,
     grid: &Grid,
     observer: &mut O,
 ) -> S::State
@@ -127,7 +154,7 @@ where
     O: Observer<S::State> + ?Sized,
 {
     let h = grid.step();
-    let mut z = start;
+    let mut z = start.into();
     let mut carry = method.start(system, grid.time(0), h, z);
     observer.observe(0, grid.time(0), z);
     for n in 0..grid.steps() {
@@ -143,13 +170,31 @@ where
 /// [`integrate()`], ended by the first step that has no solution.
 ///
 /// # Errors
+/// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge.
+#[inline]
+pub fn try_integrate<S, M>(
+    system: &S,
+    method: &M,
+    start: impl Into<S::State>,
+    grid: &Grid,
+) -> Result<S::State, Error>
+where
+    S: System,
+    M: Method<S>,
+{
+    try_integrate_with(system, method, start, grid, &mut ())
+}
+
+/// [`integrate_with`], ended by the first step that has no solution.
+///
+/// # Errors
 /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge. The
 /// `observer` has seen the states before it.
 #[inline]
-pub fn try_integrate<S, M, O>(
+pub fn try_integrate_with<S, M, O>(
     system: &S,
     method: &M,
-    start: S::State,
+    start: impl Into<S::State>,
     grid: &Grid,
     observer: &mut O,
 ) -> Result<S::State, Error>
@@ -159,7 +204,7 @@ where
     O: Observer<S::State> + ?Sized,
 {
     let h = grid.step();
-    let mut z = start;
+    let mut z = start.into();
     let mut carry = method.start(system, grid.time(0), h, z);
     observer.observe(0, grid.time(0), z);
     for n in 0..grid.steps() {
@@ -172,4 +217,43 @@ where
         observer.observe(n + 1, grid.time(n + 1), z);
     }
     Ok(z)
+}
+
+/// The states of [`integrate()`] at all times of `grid`: the start, and one after each step. That
+/// after n steps is at [`Grid::time`] of n.
+///
+/// ```
+/// use pendula::{Grid, Pendulum, Phase, Rk4, trajectory};
+///
+/// let grid = Grid::with_duration(0.01, 10.0)?;
+/// let states = trajectory(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid);
+/// assert_eq!(states.len(), 1001);
+/// for (n, z) in (0..).zip(&states).step_by(100) {
+///     println!("{} s: {} rad", grid.time(n), z.theta);
+/// }
+/// # Ok::<(), pendula::Error>(())
+/// ```
+///
+/// For states at times between them see [`Adaptive::states`](crate::adaptive::Adaptive::states).
+#[cfg(feature = "alloc")]
+pub fn trajectory<S, M>(
+    system: &S,
+    method: &M,
+    start: impl Into<S::State>,
+    grid: &Grid,
+) -> Vec<S::State>
+where
+    S: System,
+    M: Method<S>,
+{
+    let mut states = Vec::with_capacity(room(grid));
+    integrate_with(system, method, start, grid, &mut |_, _, z| states.push(z));
+    states
+}
+
+/// How many states a new trajectory has room for: all of them, unless they are so many that the
+/// memory had better be asked for as they come.
+#[cfg(feature = "alloc")]
+pub(crate) fn room(grid: &Grid) -> usize {
+    grid.samples().min(1 << 20) as usize
 }

@@ -13,7 +13,7 @@ use core::num::NonZeroU64;
 ///
 /// ```
 /// use pendula::metrics::EnergyDrift;
-/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
+/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate_with};
 ///
 /// let (pendulum, grid) = (Pendulum::PAPER, Grid::with_duration(0.01, 10.0)?);
 /// let mut turns = Vec::new();
@@ -25,7 +25,7 @@ use core::num::NonZeroU64;
 ///     before = z.omega;
 /// };
 /// let mut watch = (EnergyDrift::new(&pendulum), note_turns);
-/// integrate(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &grid, &mut watch);
+/// integrate_with(&pendulum, &StormerVerlet, Phase::at_rest(1.0), &grid, &mut watch);
 /// assert!(watch.0.largest() < 1.1e-3);
 /// // A swing takes 2.14 s, and turns twice.
 /// assert_eq!(turns.len(), 9);

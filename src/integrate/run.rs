@@ -31,7 +31,7 @@ use crate::systems::{Counting, System};
 /// run.advance(300, NonZeroU64::MIN, &mut ())?;
 /// assert_eq!((run.steps(), run.time(), run.evaluations()), (300, 3.0, 1200));
 /// let end = run.advance(1000, NonZeroU64::MIN, &mut ())?;
-/// assert_eq!(end, integrate(&driven, &Rk4, start, &grid, &mut ()));
+/// assert_eq!(end, integrate(&driven, &Rk4, start, &grid));
 /// # Ok::<(), pendula::Error>(())
 /// ```
 ///
@@ -47,9 +47,9 @@ use crate::systems::{Counting, System};
 /// # Ok::<(), pendula::Error>(())
 /// ```
 ///
-/// A run stays in the thread in which it began; a method may begin one in each.
+/// A run may go on in another thread than the one in which it began.
 pub struct Run<'m, Z> {
-    stepper: Box<dyn Stepper<Z> + 'm>,
+    stepper: Box<dyn Stepper<Z> + Send + 'm>,
     grid: Grid,
     /// The steps taken, and the state after them.
     steps: u64,
@@ -88,7 +88,8 @@ pub(crate) struct Taken {
 
 /// The [`Stepper`] of a method that is known by its type.
 pub(crate) struct Typed<'m, S: System, M: Method<Counting<S>>> {
-    system: S,
+    /// It counts the steps that are taken again too, so that of its count the growth alone is used.
+    system: Counting<S>,
     method: &'m M,
     h: f64,
     now: Standing<S::State, M::Carry>,
@@ -104,33 +105,32 @@ struct Standing<Z, C> {
     evaluations: u64,
 }
 
-impl<'m, S: System + Clone, M: Method<Counting<S>>> Typed<'m, S, M> {
-    /// After `steps` steps `h` (s) that have led to `z`. They may be negative, which those of a
-    /// [`Grid`] cannot be.
-    pub(crate) fn new(system: &S, method: &'m M, steps: u64, h: f64, z: S::State) -> Self {
-        let counting = Counting::new(system.clone());
-        let carry = method.start(&counting, steps as f64 * h, h, z);
-        let now = Standing { steps, z, carry, evaluations: counting.evaluations() };
-        Self { system: system.clone(), method, h, now, before: now }
+impl<'m, S: System, M: Method<Counting<S>>> Typed<'m, S, M> {
+    /// Before the first step `h` (s) from `z`.
+    pub(crate) fn new(system: S, method: &'m M, h: f64, z: S::State) -> Self {
+        let system = Counting::new(system);
+        let carry = method.start(&system, 0.0, h, z);
+        let now = Standing { steps: 0, z, carry, evaluations: system.evaluations() };
+        Self { system, method, h, now, before: now }
     }
 }
 
-impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
+impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
     fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
         self.before = self.now;
-        // Copies, which the compiler keeps in registers.
-        let system = Counting::new(self.system.clone());
-        let (method, h) = (self.method, self.h);
+        let (system, method, h) = (&self.system, self.method, self.h);
+        let before = system.evaluations();
+        // A copy, which the compiler keeps in registers.
         let Standing { mut steps, mut z, mut carry, evaluations } = self.now;
         let mut written = 0;
         let take = || {
             for state in states {
                 // Of the states before the last nobody sees anything.
                 for _ in 1..every.get() {
-                    z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                    z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
                     steps += 1;
                 }
-                z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
                 steps += 1;
                 *state = z;
                 written += 1;
@@ -138,7 +138,7 @@ impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, 
             Ok(())
         };
         let unsolved = take().err().map(|why| (steps, why));
-        let evaluations = evaluations + system.evaluations();
+        let evaluations = evaluations + (self.system.evaluations() - before);
         self.now = Standing { steps, z, carry, evaluations };
         Taken { states: written, unsolved }
     }
@@ -157,7 +157,7 @@ impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, 
 
     fn nothing(&self) -> S::State {
         let Standing { steps, z, .. } = self.now;
-        z + self.system.rate(steps as f64 * self.h, z) * f64::NAN
+        z + self.system.system().rate(steps as f64 * self.h, z) * f64::NAN
     }
 
     fn evaluations(&self) -> u64 {
@@ -170,34 +170,21 @@ impl<S: System + Clone, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, 
 pub(crate) const BLOCK: usize = 64;
 
 impl<'m, Z: Copy> Run<'m, Z> {
-    /// A run of `method` on `system` from `start` along `grid`, before its first step.
-    pub fn start<S, M>(system: &S, method: &'m M, start: Z, grid: &Grid) -> Self
+    /// A run of `method` on `system` from `start` along `grid`, before its first step. It keeps a
+    /// clone of the system.
+    pub fn start<S, M>(system: &S, method: &'m M, start: impl Into<Z>, grid: &Grid) -> Self
     where
-        S: System<State = Z> + Clone + 'm,
-        M: Method<Counting<S>>,
+        Z: Send,
+        S: System<State = Z> + Clone + Send + 'm,
+        M: Method<Counting<S>> + Sync,
     {
-        Self::start_at(system, method, start, grid, 0)
+        let z = start.into();
+        Self::with(Box::new(Typed::new(system.clone(), method, grid.step(), z)), z, grid)
     }
 
-    /// A run from the state `z` after `steps` steps along `grid`: to go on where another run has
-    /// ended, or to begin at another time than 0. Where the method carries more than its state, or
-    /// the pendulum's state is converted to steps, the last bits differ from those of one run.
-    pub fn start_at<S, M>(system: &S, method: &'m M, z: Z, grid: &Grid, steps: u64) -> Self
-    where
-        S: System<State = Z> + Clone + 'm,
-        M: Method<Counting<S>>,
-    {
-        Self::with(Box::new(Typed::new(system, method, steps, grid.step(), z)), z, grid, steps)
-    }
-
-    /// The run that the `stepper` takes from the state `z` after `steps` steps.
-    pub(crate) const fn with(
-        stepper: Box<dyn Stepper<Z> + 'm>,
-        z: Z,
-        grid: &Grid,
-        steps: u64,
-    ) -> Self {
-        Self { stepper, grid: *grid, steps, z, is_over: false }
+    /// The run that the `stepper` takes from the state `z`.
+    pub(crate) const fn with(stepper: Box<dyn Stepper<Z> + Send + 'm>, z: Z, grid: &Grid) -> Self {
+        Self { stepper, grid: *grid, steps: 0, z, is_over: false }
     }
 
     /// The state after the steps taken.

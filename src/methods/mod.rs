@@ -34,7 +34,7 @@
 //! let truth = pendula::Motion::new(&Pendulum::PAPER, start)?.at(1.0);
 //! let error = |h| -> Result<f64, pendula::Error> {
 //!     let grid = Grid::with_duration(h, 1.0)?;
-//!     let end = integrate(&Pendulum::PAPER, &Ralston, start, &grid, &mut ());
+//!     let end = integrate(&Pendulum::PAPER, &Ralston, start, &grid);
 //!     Ok((end.theta - truth.theta).abs())
 //! };
 //! // The next term of the error is smaller by the step, 0.001 s, times a few rad/s.
@@ -123,6 +123,24 @@ impl MethodInfo {
         }
     }
 
+    /// Whether the method is called so: by its [`name`](Self::name), its [`title`](Self::title) or
+    /// one of its [`aliases`](Self::aliases). Capitals and all that is no letter and no digit, such
+    /// as hyphens and spaces, make no difference, nor do accents.
+    ///
+    /// ```
+    /// use pendula::{Info, StormerVerlet};
+    ///
+    /// let info = StormerVerlet.info();
+    /// for name in ["stormer-verlet", "Störmer–Verlet", "velocity_verlet", "Leapfrog"] {
+    ///     assert!(info.is_called(name));
+    /// }
+    /// assert!(!info.is_called("position-verlet"));
+    /// ```
+    pub fn is_called(&self, name: &str) -> bool {
+        let mut names = [self.name, self.title].into_iter().chain(self.aliases.iter().copied());
+        folded(name).next().is_some() && names.any(|own| folded(own).eq(folded(name)))
+    }
+
     /// With this `title` in tables and text.
     #[must_use]
     pub const fn title(self, title: &'static str) -> Self {
@@ -176,6 +194,15 @@ impl MethodInfo {
     pub const fn reference(self, reference: &'static str) -> Self {
         Self { reference, ..self }
     }
+}
+
+/// The letters and digits of a name, small and without the accents that names of methods have.
+fn folded(name: &str) -> impl Iterator<Item = char> {
+    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).map(|c| match c {
+        'ö' => 'o',
+        'ś' => 's',
+        other => other,
+    })
 }
 
 /// A method with a [`MethodInfo`].

@@ -19,12 +19,12 @@ use crate::systems::{Hamiltonian, Pendulum, Phase, Separable};
 /// ```
 /// use pendula::methods::Projected;
 /// use pendula::metrics::EnergyDrift;
-/// use pendula::{Grid, Pendulum, Phase, Rk4, integrate};
+/// use pendula::{Grid, Pendulum, Phase, Rk4, integrate_with};
 ///
 /// let grid = Grid::with_duration(0.05, 1000.0)?;
 /// let mut drifts = [EnergyDrift::new(&Pendulum::PAPER), EnergyDrift::new(&Pendulum::PAPER)];
-/// integrate(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut drifts[0]);
-/// integrate(&Pendulum::PAPER, &Projected(Rk4), Phase::at_rest(1.0), &grid, &mut drifts[1]);
+/// integrate_with(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut drifts[0]);
+/// integrate_with(&Pendulum::PAPER, &Projected(Rk4), Phase::at_rest(1.0), &grid, &mut drifts[1]);
 /// assert!(drifts[0].largest() > 1e-3 && drifts[1].largest() < 1e-11);
 /// # Ok::<(), pendula::Error>(())
 /// ```

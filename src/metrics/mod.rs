@@ -5,14 +5,14 @@
 //!
 //! ```
 //! use pendula::metrics::{AngleError, CrossingPeriod, EnergyDrift};
-//! use pendula::{Grid, Motion, Pendulum, Phase, Rk4, exact, integrate};
+//! use pendula::{Grid, Motion, Pendulum, Phase, Rk4, exact, integrate_with};
 //!
 //! let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
 //! let motion = Motion::new(&pendulum, start)?;
 //! let energy = EnergyDrift::new(&pendulum);
 //! let angle = AngleError::new(|t| motion.at(t).theta);
 //! let mut observer = (energy, angle, CrossingPeriod::default());
-//! integrate(&pendulum, &Rk4, start, &Grid::with_duration(0.01, 10.0)?, &mut observer);
+//! integrate_with(&pendulum, &Rk4, start, &Grid::with_duration(0.01, 10.0)?, &mut observer);
 //! let (energy, angle, period) = observer;
 //! assert!(energy.largest() < 1e-6 && angle.root_mean_square() < 1e-6);
 //! let exact = exact::period(&pendulum, 1.0)?;

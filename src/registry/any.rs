@@ -1,5 +1,6 @@
 //! A method that is chosen at run time.
 
+use alloc::vec::Vec;
 use core::fmt;
 use core::num::NonZeroU64;
 
@@ -7,7 +8,7 @@ use crate::error::Error;
 use crate::fast::{self, ScaledPendulum};
 #[cfg(feature = "ensemble")]
 use crate::fast::{InLanes, TakesBlocks};
-use crate::integrate::{Grid, Method, Observer, Run};
+use crate::integrate::{Grid, Method, Observer, Run, room};
 use crate::methods::{Info, MethodInfo};
 use crate::systems::{Counting, Pendulum, Phase, System};
 
@@ -15,7 +16,7 @@ use crate::systems::{Counting, Pendulum, Phase, System};
     message = "`{Self}` is no method for `{S}` that can be chosen at run time",
     note = "it has to be a `Method` for `pendula::Counting<{S}>`, as `impl<S: System> Method<S>` \
             makes it, and to have a `MethodInfo`, by `impl pendula::Info`; `{S}` has to be \
-            `Clone`, and to borrow nothing"
+            `Clone` and `Send`, and to borrow nothing"
 )]
 /// A method for the system `S` that is chosen at run time: `&dyn AnyMethod<S>`, or a `Box` of it.
 ///
@@ -36,14 +37,8 @@ use crate::systems::{Counting, Pendulum, Phase, System};
 ///
 /// Those of the library are found by their names: see [`registry`](crate::registry).
 pub trait AnyMethod<S: System + 'static = Pendulum>: Info + Sync {
-    /// A run on `system` from the state `z` after `steps` steps along `grid`: see
-    /// [`Run::start_at`].
-    fn begin_at(&self, system: &S, z: S::State, grid: &Grid, steps: u64) -> Run<'_, S::State>;
-
-    /// A run on `system` from `start` along `grid`, before its first step.
-    fn begin(&self, system: &S, start: S::State, grid: &Grid) -> Run<'_, S::State> {
-        self.begin_at(system, start, grid, 0)
-    }
+    /// A run on `system` from `start` along `grid`, before its first step: see [`Run::start`].
+    fn begin(&self, system: &S, start: S::State, grid: &Grid) -> Run<'_, S::State>;
 
     /// As [`integrate`](crate::integrate()): the last state, each sample being passed to
     /// `observer`.
@@ -57,7 +52,7 @@ pub trait AnyMethod<S: System + 'static = Pendulum>: Info + Sync {
         self.begin(system, start, grid).finish(NonZeroU64::MIN, observer)
     }
 
-    /// As [`try_integrate`](crate::try_integrate): [`run`](Self::run), ended by the first step that
+    /// As [`try_integrate_with`](crate::try_integrate_with): [`run`](Self::run), ended by the first step that
     /// has no solution.
     ///
     /// # Errors
@@ -70,6 +65,13 @@ pub trait AnyMethod<S: System + 'static = Pendulum>: Info + Sync {
         observer: &mut dyn Observer<S::State>,
     ) -> Result<S::State, Error> {
         self.begin(system, start, grid).try_finish(NonZeroU64::MIN, observer)
+    }
+
+    /// As [`trajectory`](crate::trajectory): the states at all times of `grid`.
+    fn trajectory(&self, system: &S, start: S::State, grid: &Grid) -> Vec<S::State> {
+        let mut states = Vec::with_capacity(room(grid));
+        self.run(system, start, grid, &mut |_, _, z| states.push(z));
+        states
     }
 
     /// The last state alone, without the cost of an observer.
@@ -96,11 +98,11 @@ pub trait AnyMethod<S: System + 'static = Pendulum>: Info + Sync {
 #[diagnostic::do_not_recommend]
 impl<S, M> AnyMethod<S> for M
 where
-    S: System + Clone + 'static,
+    S: System + Clone + Send + 'static,
     M: Info + Method<Counting<S>> + Sync,
 {
-    fn begin_at(&self, system: &S, z: S::State, grid: &Grid, steps: u64) -> Run<'_, S::State> {
-        Run::start_at(system, self, z, grid, steps)
+    fn begin(&self, system: &S, start: S::State, grid: &Grid) -> Run<'_, S::State> {
+        Run::start(system, self, start, grid)
     }
 }
 
@@ -115,7 +117,7 @@ where
 /// let method: Box<dyn AnyMethod> = Box::new(InSteps(Rk4));
 /// let (start, grid) = (Phase::at_rest(1.0), Grid::with_duration(0.01, 1.0)?);
 /// let end = method.end(&Pendulum::PAPER, start, &grid);
-/// assert_eq!(end, integrate_fast(&Pendulum::PAPER, &Rk4, start, &grid, &mut ()));
+/// assert_eq!(end, integrate_fast(&Pendulum::PAPER, &Rk4, start, &grid));
 /// # Ok::<(), pendula::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
@@ -135,8 +137,8 @@ where
         + Info
         + Sync,
 {
-    fn begin_at(&self, pendulum: &Pendulum, z: Phase, grid: &Grid, steps: u64) -> Run<'_, Phase> {
-        fast::start_at(pendulum, &self.0, z, grid, steps)
+    fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Run<'_, Phase> {
+        fast::begin(pendulum, &self.0, start, grid)
     }
 }
 

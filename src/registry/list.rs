@@ -37,14 +37,8 @@ macro_rules! blocks {
 macro_rules! collect {
     ($($module:ident::$method:ident,)+) => {
         $(impl AnyMethod for Listed<crate::methods::$method> {
-            fn begin_at(
-                &self,
-                pendulum: &Pendulum,
-                z: Phase,
-                grid: &Grid,
-                steps: u64,
-            ) -> Run<'_, Phase> {
-                fast::start_at(pendulum, &self.0, z, grid, steps)
+            fn begin(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> Run<'_, Phase> {
+                fast::begin(pendulum, &self.0, start, grid)
             }
 
             #[cfg(feature = "table")]
@@ -59,8 +53,3 @@ macro_rules! collect {
     };
 }
 for_each_method!(collect);
-
-/// The method of that [name](MethodInfo::name).
-pub fn method_named(name: &str) -> Option<&'static dyn AnyMethod> {
-    METHODS.iter().copied().find(|method| method.info().name == name)
-}

@@ -1,61 +1,54 @@
 //! The library's methods, and methods that are chosen at run time.
 //!
-//! [`METHODS`] is the one list that tests, tables, benches and book use: the methods on the
-//! pendulum, of which [`method_named`] finds one. They take its steps as
-//! [`integrate_fast`](crate::integrate_fast()) does, with the step as the unit of time: the last
-//! bits differ from those of [`integrate`](crate::integrate()), and it takes two thirds of the
-//! time. A method that is made [`AnyMethod`] from its type has the bits of
-//! [`integrate`](crate::integrate()), as those have that [`in_seconds`] finds; within [`InSteps`]
-//! it takes the faster steps too.
+//! [`method_named`] finds a method by its name or an alias, such as `"stormer-verlet"`, `"velocity
+//! Verlet"` or `"leapfrog"`, on every system that is [`ByName`]: those of the library, closures,
+//! and those of your own by a line. [`ByName::methods`] has the list of them, and [`METHODS`] is
+//! the one for the pendulum, which tests, tables, benches and book use.
 //!
-//! | on | by name | bits |
-//! |---|---|---|
-//! | the pendulum | [`method_named`] | those of [`integrate_fast`](crate::integrate_fast()) |
-//! | the pendulum, in seconds | [`in_seconds`] | those of [`integrate`](crate::integrate()) |
-//! | another system of the library | [`ByName::method_named`] | those of [`integrate`](crate::integrate()) |
-//! | a system of your own | [`method_for`], [`method_for_separable`] | the same |
-//!
-//! Names are those of [`MethodInfo::name`](crate::MethodInfo::name), such as `"stormer-verlet"`.
-//! On other systems of the library methods are found by [`ByName::method_named`]; on a system of
-//! your own by [`method_for`], or by [`method_for_separable`] if it is
-//! [`Separable`](crate::Separable):
+//! A method that is chosen at run time is a `&dyn` [`AnyMethod`]. A function that is generic in its
+//! system takes it as it takes a method that is known by its type, since each of those is one:
 //!
 //! ```
-//! use pendula::registry::{ByName, method_for};
-//! use pendula::{Damped, Grid, Pendulum, Phase, System, method_named};
+//! use pendula::methods::BlanesMoan6;
+//! use pendula::systems::{ArrayPhase, FromForce};
+//! use pendula::{AnyMethod, Grid, Rk4, StormerVerlet, System};
 //!
-//! let (start, grid) = (Phase::at_rest(1.0), Grid::with_duration(0.01, 1.0)?);
-//! let rk4 = method_named("rk4").expect("a method of the library");
-//! let free = rk4.end(&Pendulum::PAPER, start, &grid);
-//!
-//! let damped = Damped::new(Pendulum::PAPER, 0.1)?;
-//! let slower = Damped::method_named("rk4").expect("as above").end(&damped, start, &grid);
-//! assert!(slower.omega.abs() < free.omega.abs());
-//!
-//! /// ẍ = −9 x.
-//! #[derive(Clone)]
-//! struct Spring;
-//!
-//! impl System for Spring {
-//!     type State = Phase;
-//!
-//!     fn rate(&self, _t: f64, z: Phase) -> Phase {
-//!         Phase { theta: z.omega, omega: -9.0 * z.theta }
-//!     }
+//! fn last<S: System + 'static>(
+//!     method: &dyn AnyMethod<S>,
+//!     system: &S,
+//!     start: S::State,
+//!     grid: &Grid,
+//! ) -> S::State {
+//!     method.end(system, start, grid)
 //! }
 //!
-//! for name in ["rk4", "gauss-6"] {
-//!     let method = method_for(name).expect("a Runge–Kutta method");
-//!     let end = method.end(&Spring, start, &grid);
-//!     assert!((end.theta - 3.0_f64.cos()).abs() < 1e-7, "{}", method.info().title);
+//! let spring = FromForce::new(|_t, [x]: [f64; 1]| [-x]);
+//! let (start, grid) = (ArrayPhase::at_rest([1.0]), Grid::with_duration(0.01, 1.0)?);
+//! let methods: [&dyn AnyMethod<_>; 3] = [&Rk4, &StormerVerlet, &BlanesMoan6];
+//! for method in methods {
+//!     let [x] = last(method, &spring, start, &grid).positions;
+//!     assert!((x - 1.0_f64.cos()).abs() < 1e-5, "{}", method.info().title);
 //! }
+//! assert_eq!(last(&Rk4, &spring, start, &grid), last(methods[0], &spring, start, &grid));
 //! # Ok::<(), pendula::Error>(())
 //! ```
+//!
+//! On the pendulum the methods of the list take steps as
+//! [`integrate_fast`](crate::integrate_fast()) does, with the step as the unit of time: the last
+//! bits differ from those of [`integrate`](crate::integrate()), and it takes two thirds of the
+//! time. On all other systems, and where a method becomes an [`AnyMethod`] by its type, the bits
+//! are those of [`integrate`](crate::integrate()); within [`InSteps`] it takes the faster steps
+//! too.
+//!
+//! A method that chooses its own steps is found as an
+//! [`AnyEmbedded`](crate::adaptive::AnyEmbedded).
 
 mod any;
 mod list;
 mod names;
 
 pub use any::{AnyMethod, InSteps};
-pub use list::{METHODS, method_named};
-pub use names::{ByName, in_seconds, method_for, method_for_separable};
+pub use list::METHODS;
+#[doc(hidden)]
+pub use names::in_seconds;
+pub use names::{ByName, method_named, methods_for, methods_for_separable};

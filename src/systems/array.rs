@@ -24,7 +24,7 @@ use crate::{state, state_operations};
 /// // A wave of two crests decays by the factor exp(−4t sin²(2π/12)) = exp(−t).
 /// let wave = Array(std::array::from_fn(|i| (std::f64::consts::TAU * i as f64 / 6.0).cos()));
 /// let adaptive = Adaptive::new(DormandPrince, Tolerance::uniform(1e-10)?);
-/// let (end, _) = adaptive.integrate(&ring, wave, 0.0, 3.0, &mut ())?;
+/// let (end, _) = adaptive.integrate(&ring, wave, 0.0, 3.0)?;
 /// let exact = wave * (-3.0_f64).exp();
 /// assert!((end - exact).into_iter().all(|difference| difference.abs() < 1e-9));
 /// # Ok::<(), pendula::Error>(())
@@ -107,7 +107,7 @@ state! {
     /// use pendula::methods::{BlanesMoan6, Gauss4, StormerVerlet};
     /// use pendula::metrics::EnergyDrift;
     /// use pendula::systems::{ArrayPhase, FromForce};
-    /// use pendula::{Grid, Hamiltonian, Method, integrate};
+    /// use pendula::{Grid, Hamiltonian, Method, integrate, integrate_with};
     ///
     /// // Three bodies of mass 1 in a plane, which attract each other: r̈ = −Δr/|Δr|³.
     /// const PAIRS: [(usize, usize); 3] = [(0, 2), (2, 4), (4, 0)];
@@ -142,7 +142,7 @@ state! {
     ///     period: &Grid,
     /// ) -> [f64; 2] {
     ///     let mut drift = EnergyDrift::new(bodies);
-    ///     let end = integrate(bodies, method, start, period, &mut drift);
+    ///     let end = integrate_with(bodies, method, start, period, &mut drift);
     ///     let off = (end - start).positions.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     ///     [off, drift.largest()]
     /// }

@@ -16,14 +16,14 @@ use super::{ArrayPhase, Hamiltonian, RateOf, Separable, System};
 /// use pendula::methods::BlanesMoan6;
 /// use pendula::metrics::EnergyDrift;
 /// use pendula::systems::{ArrayPhase, FromForce};
-/// use pendula::{Grid, integrate};
+/// use pendula::{Grid, integrate_with};
 ///
 /// // Stars in a galaxy (Hénon, Heiles, *Astron. J.* 69 (1964) 73–79).
 /// let galaxy = FromForce::new(|_t, [x, y]: [f64; 2]| [-x - 2.0 * x * y, -y - x * x + y * y])
 ///     .with_potential(|[x, y]| 0.5 * (x * x + y * y) + x * x * y - y * y * y / 3.0);
 /// let start = ArrayPhase::new([0.0, 0.1], [0.5, 0.0]);
 /// let mut drift = EnergyDrift::new(&galaxy);
-/// integrate(&galaxy, &BlanesMoan6, start, &Grid::with_duration(0.1, 100.0)?, &mut drift);
+/// integrate_with(&galaxy, &BlanesMoan6, start, &Grid::with_duration(0.1, 100.0)?, &mut drift);
 /// assert!(drift.largest() < 1e-8);
 /// # Ok::<(), pendula::Error>(())
 /// ```

@@ -17,7 +17,7 @@ use super::{Array, RateOf, State, System};
 /// let weather = FromRate::new(|_t, [x, y, z]: [f64; 3]| {
 ///     [10.0 * (y - x), x * (28.0 - z) - y, x * y - 8.0 / 3.0 * z]
 /// });
-/// let end = integrate(&weather, &Rk4, [1.0, 1.0, 1.0], &Grid::with_duration(0.01, 20.0)?, &mut ());
+/// let end = integrate(&weather, &Rk4, [1.0, 1.0, 1.0], &Grid::with_duration(0.01, 20.0)?);
 /// assert!(end[0].abs() < 20.0 && end[2] > 0.0);
 /// # Ok::<(), pendula::Error>(())
 /// ```
@@ -44,11 +44,11 @@ use super::{Array, RateOf, State, System};
 ///
 /// // From there it is exp(−βt) cos νt with ν = √(1 − β²).
 /// let exact = (-beta * 20.0).exp() * ((1.0 - beta * beta).sqrt() * 20.0).cos();
-/// let end = integrate(&damped, &Rk4, start, &Grid::with_duration(0.01, 20.0)?, &mut ());
+/// let end = integrate(&damped, &Rk4, start, &Grid::with_duration(0.01, 20.0)?);
 /// assert!((end.theta - exact).abs() < 1e-9);
 ///
 /// let adaptive = Adaptive::new(Dop853, Tolerance::uniform(1e-12)?);
-/// let (end, _) = adaptive.integrate(&damped, start, 0.0, 20.0, &mut ())?;
+/// let (end, _) = adaptive.integrate(&damped, start, 0.0, 20.0)?;
 /// assert!((end.theta - exact).abs() < 1e-11);
 /// # Ok::<(), pendula::Error>(())
 /// ```

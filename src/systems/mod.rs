@@ -21,12 +21,12 @@
 //!
 //! ```
 //! use pendula::systems::{ArrayPhase, FromForce};
-//! use pendula::{Grid, StormerVerlet, integrate};
+//! use pendula::{Grid, StormerVerlet, integrate, integrate_with};
 //!
 //! // Two masses between three springs.
 //! let chain = FromForce::new(|_t, [x, y]: [f64; 2]| [y - 2.0 * x, x - 2.0 * y]);
 //! let start = ArrayPhase::at_rest([1.0, 1.0]);
-//! let end = integrate(&chain, &StormerVerlet, start, &Grid::with_duration(0.01, 10.0)?, &mut ());
+//! let end = integrate(&chain, &StormerVerlet, start, &Grid::with_duration(0.01, 10.0)?);
 //! // Side by side they swing as one on one spring.
 //! assert!((end.positions[0] - 10.0_f64.cos()).abs() < 1e-4);
 //! # Ok::<(), pendula::Error>(())
@@ -41,7 +41,7 @@
 //! ```
 //! use pendula::metrics::EnergyDrift;
 //! use pendula::systems::Phase;
-//! use pendula::{Grid, Hamiltonian, Separable, StormerVerlet, System, integrate};
+//! use pendula::{Grid, Hamiltonian, Separable, StormerVerlet, System, integrate, integrate_with};
 //!
 //! /// A ball on a spring that hardens: θ̈ + θ + θ³ = 0 (Duffing).
 //! struct Duffing;
@@ -79,7 +79,7 @@
 //!
 //! let mut drift = EnergyDrift::new(&Duffing);
 //! let hundred_seconds = Grid::with_duration(0.01, 100.0)?;
-//! integrate(&Duffing, &StormerVerlet, Phase::at_rest(1.0), &hundred_seconds, &mut drift);
+//! integrate_with(&Duffing, &StormerVerlet, Phase::at_rest(1.0), &hundred_seconds, &mut drift);
 //! assert!(drift.largest() < 1e-4);
 //! # Ok::<(), pendula::Error>(())
 //! ```

@@ -14,7 +14,7 @@ use crate::arithmetic::number::Number;
 ///
 /// A Runge–Kutta method needs no more. Components keep their names in the type that implements this
 /// trait.
-pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
+pub trait Vector: Copy + Send + Add<Output = Self> + Mul<f64, Output = Self> {}
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no state of a system",
@@ -27,7 +27,7 @@ pub trait Vector: Copy + Add<Output = Self> + Mul<f64, Output = Self> {}
 ///
 /// Where states themselves form a vector space they are their own displacements. An angle kept as
 /// half turns and a remainder is a point, not a vector: it cannot be scaled.
-pub trait State: Copy + Add<Self::Displacement, Output = Self> {
+pub trait State: Copy + Send + Add<Self::Displacement, Output = Self> {
     /// The difference of two states.
     type Displacement: Vector;
 }
@@ -290,7 +290,7 @@ impl<C: Component, const N: usize> Component for [C; N] {
 /// }
 ///
 /// let start = Populations { prey: 2.0, predators: 1.0 };
-/// let end = integrate(&LotkaVolterra, &Rk4, start, &Grid::with_duration(0.01, 10.0)?, &mut ());
+/// let end = integrate(&LotkaVolterra, &Rk4, start, &Grid::with_duration(0.01, 10.0)?);
 /// // What the motion conserves.
 /// let constant = |z: Populations| z.prey - z.prey.ln() + z.predators - z.predators.ln();
 /// assert!((constant(end) - constant(start)).abs() < 1e-8);
@@ -319,7 +319,7 @@ impl<C: Component, const N: usize> Component for [C; N] {
 ///     clock: 1.0,
 /// });
 /// let start = Tops { momenta: [[0.0, 1.0, 0.1], [1.0, 0.0, 0.1]], clock: 0.0 };
-/// let end = integrate(&free, &Gauss4, start, &Grid::with_duration(0.1, 100.0)?, &mut ());
+/// let end = integrate(&free, &Gauss4, start, &Grid::with_duration(0.1, 100.0)?);
 /// // Of each top the momentum keeps its length, which the method conserves, as a square.
 /// for (before, after) in start.momenta.into_iter().zip(end.momenta) {
 ///     let square = |l: [f64; 3]| l.iter().map(|x| x * x).sum::<f64>();

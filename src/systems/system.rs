@@ -47,7 +47,7 @@ pub type RateOf<S> = <<S as System>::State as State>::Displacement;
 pub trait Separable: System {
     /// What [`force`](Separable::force) returns; for the pendulum the angular acceleration
     /// (rad/s²).
-    type Force: Copy;
+    type Force: Copy + Send;
 
     /// The force at time `t` (s). It may use the positions in `z` but not the velocities.
     fn force(&self, t: f64, z: Self::State) -> Self::Force;

@@ -6,7 +6,8 @@
 //! tests again.
 #![allow(dead_code, unused_macros, reason = "not every program of tests needs all")]
 
-use pendula::registry::{self, ByName};
+use pendula::internals;
+use pendula::registry::ByName;
 use pendula::{AnyMethod, Observer, Pendulum, Phase, method_named};
 
 /// Makes of the function `$test` a test for each case, of whatever types its arguments are, in a
@@ -119,12 +120,12 @@ pub fn method(module: &str) -> &'static dyn AnyMethod {
 
 /// The method on the pendulum with the time in seconds.
 pub fn in_seconds(method: &dyn AnyMethod) -> &'static dyn AnyMethod {
-    registry::in_seconds(method.info().name).expect("a method of the library")
+    internals::in_seconds(method.info().name).expect("a method of the library")
 }
 
 /// The method on another system.
 pub fn on<S: ByName>(method: &dyn AnyMethod) -> &'static dyn AnyMethod<S> {
-    S::method_named(method.info().name).expect("a method that suits the system")
+    method_named(method.info().name).expect("a method that suits the system")
 }
 
 /// The generator SplitMix64 (Steele, Lea, Flood, *OOPSLA* 2014).

@@ -67,7 +67,7 @@ fn the_force_is_asked_for_where_the_drifts_are() {
     fn check<M: Method<Flight>>(method: &M) {
         let flight = Flight::default();
         let start = Phase { theta: 0.0, omega: 1.0 };
-        integrate(&flight, method, start, &Grid::new(0.7, 3).unwrap(), &mut ());
+        integrate(&flight, method, start, &Grid::new(0.7, 3).unwrap());
         // A dozen drifts in each of three steps, rounded once each, of numbers below 3.
         assert!(flight.largest.get() < 36.0 * 2.0 * f64::EPSILON, "{:e}", flight.largest.get());
         assert!(flight.asked.get() >= 3);

@@ -1,10 +1,9 @@
 //! The methods of the library beside `book/judge/known-answers/known-answers.json`, whose answers a
 //! program that knows nothing of them has computed.
 
-use std::num::NonZeroU64;
-
+use pendula::registry::{ByName, methods_for_separable};
 use pendula::systems::Damped;
-use pendula::{AnyMethod, Driven, Grid, Pendulum, Phase};
+use pendula::{AnyMethod, Driven, Grid, Pendulum, Phase, Separable, System};
 use pendula_judge::known_answers::{self, Answer, Known, Scene};
 use pendula_judge::{Chosen, Request, Stranger};
 
@@ -67,6 +66,43 @@ fn steps_lead_where_they_should(method: &dyn AnyMethod) {
 }
 each_method!(steps_lead_where_they_should);
 
+/// A driven pendulum whose time 0 is a later one.
+#[derive(Clone)]
+struct Later {
+    driven: Driven,
+    by: f64,
+}
+
+impl System for Later {
+    type State = Phase;
+
+    fn rate(&self, t: f64, z: Phase) -> Phase {
+        self.driven.rate(self.by + t, z)
+    }
+}
+
+impl Separable for Later {
+    type Force = <Driven as Separable>::Force;
+
+    fn force(&self, t: f64, z: Phase) -> Self::Force {
+        self.driven.force(self.by + t, z)
+    }
+
+    fn kick(&self, z: Phase, force: Self::Force, h: f64) -> Phase {
+        self.driven.kick(z, force, h)
+    }
+
+    fn drift(&self, z: Phase, h: f64) -> Phase {
+        self.driven.drift(z, h)
+    }
+}
+
+impl ByName for Later {
+    fn methods() -> &'static [&'static dyn AnyMethod<Self>] {
+        methods_for_separable()
+    }
+}
+
 /// From t = 0 and later.
 ///
 /// Catches: a stage that is told another time than its own.
@@ -78,12 +114,8 @@ fn driven_steps_lead_where_they_should(method: &dyn AnyMethod) {
         let undamped = Damped::new(pendulum, 0.0).unwrap();
         let driven = Driven::new(undamped, strength, drive.frequency).unwrap();
         let Scene { start, step, time, .. } = *answer.scene;
-        let before = time / step;
-        assert_eq!(before.fract(), 0.0, "a grid begins at 0");
-        let last = before as u64 + answer.steps;
-        let grid = Grid::new(step, last).unwrap();
-        let mut run = on(method).begin_at(&driven, start, &grid, before as u64);
-        run.advance(last, NonZeroU64::MAX, &mut ()).unwrap()
+        let later = Later { driven, by: time };
+        on(method).end(&later, start, &Grid::new(step, answer.steps).unwrap())
     });
 }
 each_general_method!(driven_steps_lead_where_they_should);

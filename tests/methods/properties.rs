@@ -190,7 +190,7 @@ fn the_linear_oscillator_has_the_same_matrix<M: AnyMethod + Method<LinearOscilla
     let (system, frequency) = (LinearOscillator::new(pendulum), pendulum.small_angle_frequency());
     let matrix = |x: f64| {
         let grid = Grid::new(x / frequency, 1).unwrap();
-        matrix_of(frequency, |z| integrate(&system, method, z, &grid, &mut ()))
+        matrix_of(frequency, |z| integrate(&system, method, z, &grid))
     };
     for x in [0.3, 0.5, 1.1] {
         check_matrix(method, x, matrix(x)).unwrap();

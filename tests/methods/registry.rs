@@ -44,11 +44,11 @@ fn entries_are_complete_and_distinct() {
         assert!(seen.insert(entry.name), "{} stands twice", entry.name);
         let typeable = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         assert!(entry.name.chars().all(typeable), "{}", entry.name);
-        assert_eq!(method_named(entry.name).map(|m| m.info()), Some(entry));
+        assert_eq!(method_named::<Pendulum>(entry.name).map(|m| m.info()), Some(entry));
         assert!(!entry.title.is_empty() && !entry.aliases.is_empty());
         assert!(entry.order > 0 && entry.force_evaluations > 0 && !entry.reference.is_empty());
     }
-    assert!(method_named("no-such-method").is_none());
+    assert!(method_named::<Pendulum>("no-such-method").is_none());
     assert_eq!(format!("{:?}", METHODS[0]), METHODS[0].info().name);
 }
 
@@ -71,7 +71,7 @@ macro_rules! suit {
     };
 }
 
-/// The double pendulum stands for every system, which [`pendula::registry::method_for`] asks for,
+/// The double pendulum stands for every system, which [`pendula::registry::methods_for`] asks for,
 /// the damped pendulum for every separable one.
 ///
 /// Catches: a method whose mark in the list leaves it out on systems for which it is a method; a
@@ -81,7 +81,7 @@ fn a_method_is_found_on_every_system_that_it_suits() {
     fn is_found<S: ByName>(system: &str, suit: &[(&str, bool)]) {
         assert_eq!(suit.len(), METHODS.len());
         for &(module, suits) in suit {
-            let found = S::method_named(&module.replace('_', "-")).is_some();
+            let found = method_named::<S>(&module.replace('_', "-")).is_some();
             assert_eq!(
                 found, suits,
                 "whether {module} is found on {system}, and whether it suits it: is its mark right \

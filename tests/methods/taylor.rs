@@ -1,6 +1,9 @@
 //! Taylor series of the motion, at orders other than the one on the list.
 
-use pendula::{Counting, Grid, Method, Motion, Pendulum, Phase, Taylor, integrate, integrate_fast};
+use pendula::{
+    Counting, Grid, Method, Motion, Pendulum, Phase, Taylor, integrate, integrate_fast,
+    integrate_with,
+};
 use rstest::rstest;
 
 /// L ≠ 1, m ≠ 1, ω₀ ≠ 1.
@@ -24,7 +27,7 @@ fn largest_error<M: Method<Pendulum>>(method: &M, start: Phase, steps: u64) -> f
     let motion = Motion::new(&pendulum, start).unwrap();
     let grid = Grid::new(END / steps as f64, steps).unwrap();
     let mut largest = 0.0_f64;
-    integrate(&pendulum, method, start, &grid, &mut |_, t: f64, z: Phase| {
+    integrate_with(&pendulum, method, start, &grid, &mut |_, t: f64, z: Phase| {
         let truth = motion.at(t);
         let error = (z.theta - truth.theta).hypot((z.omega - truth.omega) / frequency);
         assert!(error.is_finite());
@@ -86,8 +89,8 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
         let missing = |h: f64| {
             let grid = Grid::new(h, 1).unwrap();
             let truth = motion.at(h);
-            let low = integrate(&pendulum, &Taylor::<P>, start, &grid, &mut ());
-            let high = integrate(&pendulum, &Taylor::<NEXT>, start, &grid, &mut ());
+            let low = integrate(&pendulum, &Taylor::<P>, start, &grid);
+            let high = integrate(&pendulum, &Taylor::<NEXT>, start, &grid);
             let size =
                 |z: Phase, w: Phase| (z.theta - w.theta).hypot((z.omega - w.omega) / frequency);
             (size(truth, high), size(truth, low))
@@ -110,13 +113,13 @@ fn one_power_more_is_what_was_missing(#[values(0, 1, 2)] start: usize) {
 fn the_step_may_be_the_unit_of_time() {
     let (pendulum, grid) = (pendulum(), Grid::new(0.1, 50).unwrap());
     for start in STARTS {
-        let plain = integrate(&pendulum, &Taylor::<12>, start, &grid, &mut ());
-        let quick = integrate_fast(&pendulum, &Taylor::<12>, start, &grid, &mut ());
+        let plain = integrate(&pendulum, &Taylor::<12>, start, &grid);
+        let quick = integrate_fast(&pendulum, &Taylor::<12>, start, &grid);
         // 50 steps of a few roundings of up to 50 rad, each carried on by 50 steps more.
         assert!((plain.theta - quick.theta).abs() < 1e-11, "{plain:?}, {quick:?}");
         assert!((plain.omega - quick.omega).abs() < 1e-11, "{plain:?}, {quick:?}");
     }
     let counting = Counting::new(pendulum);
-    integrate(&counting, &Taylor::<12>, STARTS[0], &grid, &mut ());
+    integrate(&counting, &Taylor::<12>, STARTS[0], &grid);
     assert_eq!(counting.evaluations(), 12 * 50);
 }

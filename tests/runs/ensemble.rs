@@ -10,7 +10,7 @@ use pendula::integrate::Every;
 use pendula::systems::{DoublePhase, Joint};
 use pendula::{
     AnyMethod, Damped, DoublePendulum, Grid, Hamiltonian, Observer, Pendulum, Phase, Rk4,
-    integrate, method_named,
+    integrate_with, method_named,
 };
 
 use crate::common::{First, Samples};
@@ -108,7 +108,7 @@ fn any_system_gets_the_bits_of_integrate() {
     ensemble.watch_one_by_one(&Rk4, &mut told);
     for (i, told) in told.into_iter().enumerate() {
         let mut alone = Samples::default();
-        let end = integrate(&systems[i], &Rk4, starts[i], &grid, &mut alone);
+        let end = integrate_with(&systems[i], &Rk4, starts[i], &grid, &mut alone);
         assert_eq!(bits(&[ends[i]]), bits(&[end]));
         assert_eq!((told.0.len(), &told), (101, &alone));
     }
@@ -169,7 +169,7 @@ fn only_the_early_flips_are_the_motions_own() {
     let [long, short] = [0.01, 0.005].map(|h| Grid::with_duration(h, 20.0).unwrap());
     let flip = |start: DoublePhase, grid: &Grid| {
         let mut flip = FirstFlip::default();
-        integrate(&double, &Rk4, start, grid, &mut flip);
+        integrate_with(&double, &Rk4, start, grid, &mut flip);
         flip.0
     };
     // With less energy there is none.

@@ -8,7 +8,7 @@ use pendula::error::MAX_STEPS;
 use pendula::integrate::{Every, Record};
 use pendula::methods::StormerVerlet;
 use pendula::metrics::EnergyDrift;
-use pendula::{Error, Grid, Hamiltonian, Observer, Pendulum, Phase, integrate};
+use pendula::{Error, Grid, Hamiltonian, Observer, Pendulum, Phase, integrate, integrate_with};
 use proptest::prelude::*;
 use rstest::rstest;
 
@@ -127,7 +127,7 @@ fn grid() -> Grid {
 #[test]
 fn a_closure_sees_every_sample_with_its_count_and_time() {
     let mut seen = Vec::new();
-    let end = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut |n, t, z| {
+    let end = integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut |n, t, z| {
         seen.push((n, t, z));
     });
     assert_eq!(seen.len(), 101);
@@ -141,9 +141,9 @@ fn a_closure_sees_every_sample_with_its_count_and_time() {
 /// Catches: an observer that changes the trajectory.
 #[test]
 fn watching_changes_no_bit() {
-    let unwatched = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut ());
+    let unwatched = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid());
     let mut watch = (|_, _, _| {}, |_, _, _| {}, ());
-    let watched = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    let watched = integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!(unwatched, watched);
 }
 
@@ -161,19 +161,19 @@ fn a_satisfied_observer_ends_the_loop() {
         }
     }
     let mut watch = Until(40, 0);
-    let early = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    let early = integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     let forty = Grid::new(0.01, 40).unwrap();
-    assert_eq!(early, integrate(&Pendulum::PAPER, &StormerVerlet, START, &forty, &mut ()));
+    assert_eq!(early, integrate(&Pendulum::PAPER, &StormerVerlet, START, &forty));
     assert_eq!(watch.1, 40);
 
     // The observer receives every tenth sample only, and so is satisfied at the 40th.
     let mut watch = Every::new(NonZeroU64::new(10).unwrap(), Until(35, 0));
-    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!(watch.into_inner().1, 40);
 
     // Two observers are satisfied when both are.
     let mut watch = (Until(40, 0), Until(60, 0));
-    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!((watch.0.1, watch.1.1), (60, 60));
 }
 
@@ -182,11 +182,11 @@ fn a_satisfied_observer_ends_the_loop() {
 fn a_record_holds_the_samples_that_fit() {
     let mut all = vec![Phase::default(); grid().samples() as usize];
     let mut watch = Record::new(&mut all);
-    let end = integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
+    let end = integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut watch);
     assert_eq!((all[0], all[100]), (START, end));
 
     let mut some = vec![Phase::default(); 10];
-    integrate(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut Record::new(&mut some));
+    integrate_with(&Pendulum::PAPER, &StormerVerlet, START, &grid(), &mut Record::new(&mut some));
     assert_eq!(some, all[..10]);
 }
 

@@ -8,11 +8,11 @@ use pendula::methods::{
     CieslinskiRatkiewicz, DiscreteGradient, Gauss4, Gauss6, Gauss16, Implicit, ImplicitMidpoint,
     ImplicitTableau, Iteration, Rk4, Trapezoidal,
 };
-use pendula::registry::{ByName, InSteps};
+use pendula::registry::InSteps;
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, LinearOscillator};
 use pendula::{
     AnyMethod, Counting, Ensemble, Error, Grid, Hamiltonian, Info, METHODS, Method, Pendulum,
-    Phase, Unsolved, integrate, integrate_fast, method_named,
+    Phase, Unsolved, integrate, integrate_fast, integrate_with, method_named,
 };
 use rstest::rstest;
 
@@ -111,7 +111,7 @@ each_implicit!(every_step_within_the_limit_is_solved);
 /// last digit.
 fn so_is_every_step_of_a_double_pendulum(method: impl Info, limit: f64) {
     assert!(limit > 0.05);
-    let method = DoublePendulum::method_named(method.info().name).unwrap();
+    let method = method_named::<DoublePendulum>(method.info().name).unwrap();
     let mut random = Random::new(18);
     for n in 0..200 {
         let [gravity, length, mass] =
@@ -150,7 +150,7 @@ where
         let h = x / Pendulum::PAPER.small_angle_frequency();
         let (swing, grid) = (10_f64.powf(random.between(0.0, 300.0)), Grid::new(h, 1).unwrap());
         let start = Phase::at_rest(swing);
-        match pendula::try_integrate(&oscillator, &method, start, &grid, &mut ()) {
+        match pendula::try_integrate(&oscillator, &method, start, &grid) {
             Ok(Phase { theta, omega }) => {
                 let end = Phase { theta: theta / swing, omega: omega / swing };
                 let energy = oscillator.energy(end) / oscillator.energy(Phase::at_rest(1.0));
@@ -163,7 +163,7 @@ where
         let theta = [0, 1].map(|_| random.between(-3.0, 3.0));
         let start = double.start(theta, [0, 1].map(|_| random.between(-10.0, 10.0))).unwrap();
         let grid = Grid::new(10_f64.powf(random.between(-3.0, 3.0)), 1).unwrap();
-        if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid, &mut ()) {
+        if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid) {
             assert!(end.p1.abs() < 1e6 && end.p2.abs() < 1e6, "{n}: {grid:?}: {end:?}");
         }
     }
@@ -173,7 +173,7 @@ where
     let [p1, p2] = [5.064716782934567, 1.2072459724857802];
     let start = DoublePhase { theta1, theta2, p1, p2 };
     let grid = Grid::new(1.051486937166502, 1).unwrap();
-    if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid, &mut ()) {
+    if let Ok(end) = pendula::try_integrate(&double, &method, start, &grid) {
         assert!(end.p1.abs() < 1e6, "{end:?}");
     }
 }
@@ -200,7 +200,7 @@ where
         let tried = if fast {
             listed.try_run(&pendulum, start, &grid, &mut watch)
         } else {
-            pendula::try_integrate(&pendulum, &method, start, &grid, &mut watch)
+            pendula::try_integrate_with(&pendulum, &method, start, &grid, &mut watch)
         };
         // The run that does not ask, and where it is first NaN.
         let mut lost = None;
@@ -212,7 +212,7 @@ where
         let end = if fast {
             listed.run(&pendulum, start, &grid, &mut watch)
         } else {
-            integrate(&pendulum, &method, start, &grid, &mut watch)
+            integrate_with(&pendulum, &method, start, &grid, &mut watch)
         };
         let steps = match tried {
             Ok(tried) => {
@@ -253,8 +253,8 @@ fn an_explicit_method_has_nothing_to_solve() {
     let mut asked = 0;
     let mut watch = |_, _, _: Phase| asked += 1;
     let start = Phase::at_rest(1.0);
-    let end = pendula::try_integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut watch);
-    assert_eq!(end, Ok(integrate(&Pendulum::PAPER, &Rk4, start, &grid, &mut ())));
+    let end = pendula::try_integrate_with(&Pendulum::PAPER, &Rk4, start, &grid, &mut watch);
+    assert_eq!(end, Ok(integrate(&Pendulum::PAPER, &Rk4, start, &grid)));
     assert_eq!(asked, 11);
 }
 
@@ -274,9 +274,9 @@ where
     for _ in 0..50 {
         let (pendulum, start, grid) = scene(&mut random, limit);
         let end = in_seconds(listed).try_run(&pendulum, start, &grid, &mut ()).unwrap();
-        assert_eq!(bits(integrate(&pendulum, &with, start, &grid, &mut ())), bits(end));
+        assert_eq!(bits(integrate(&pendulum, &with, start, &grid)), bits(end));
         let end = listed.end(&pendulum, start, &grid);
-        assert_eq!(bits(integrate_fast(&pendulum, &with, start, &grid, &mut ())), bits(end));
+        assert_eq!(bits(integrate_fast(&pendulum, &with, start, &grid)), bits(end));
     }
 }
 each_implicit!(the_default_iteration_has_the_methods_bits);
@@ -295,13 +295,13 @@ where
     let pendulum = Pendulum::new(9.81, 1.7, 0.6).unwrap();
     let (h, start) = (0.2 / pendulum.small_angle_frequency(), Phase { theta: 1.0, omega: 0.7 });
     let step = Grid::new(h, 1).unwrap();
-    let exact = integrate(&pendulum, &method, start, &step, &mut ());
+    let exact = integrate(&pendulum, &method, start, &step);
     let counting = Counting::new(pendulum);
     let mut before = 0;
     let mut evaluations = vec![];
     for tolerance in [0.1, 1e-3, 1e-6, 1e-9, 1e-12, 0.0] {
         let with = method.with(Iteration::TO_ROUNDING.tolerance(tolerance).unwrap());
-        let end = integrate(&counting, &with, start, &step, &mut ());
+        let end = integrate(&counting, &with, start, &step);
         evaluations.push(counting.evaluations() - before);
         before = counting.evaluations();
         let off = (end.theta - exact.theta).abs() + (end.omega - exact.omega).abs();
@@ -368,20 +368,20 @@ where
     let mut random = Random::new(23);
     for n in 0..400 {
         let (pendulum, start, grid) = scene(&mut random, 1.0);
-        let end = integrate(&pendulum, &method, start, &grid, &mut ());
-        let fast = integrate_fast(&pendulum, &method, start, &grid, &mut ());
+        let end = integrate(&pendulum, &method, start, &grid);
+        let fast = integrate_fast(&pendulum, &method, start, &grid);
         let case = || format!("scene {n}: {pendulum:?} {start:?} {grid:?}");
         for end in [end, fast] {
             assert!(end.theta.is_finite() && end.omega.is_finite(), "{}", case());
         }
-        let tried = pendula::try_integrate(&pendulum, &method, start, &grid, &mut ());
+        let tried = pendula::try_integrate(&pendulum, &method, start, &grid);
         assert_eq!(tried, Ok(end), "{}", case());
     }
     let long = Grid::new(4.0 / Pendulum::PAPER.small_angle_frequency(), 10).unwrap();
     let start = Phase::at_rest(1.0);
-    let tried = pendula::try_integrate(&Pendulum::PAPER, &method, start, &long, &mut ());
+    let tried = pendula::try_integrate(&Pendulum::PAPER, &method, start, &long);
     assert!(matches!(tried, Err(Error::NotSolved { n: 0, sweeps: 100, .. })), "{tried:?}");
-    let end = integrate(&Pendulum::PAPER, &method, start, &long, &mut ());
+    let end = integrate(&Pendulum::PAPER, &method, start, &long);
     assert!(end.theta.is_nan() && end.omega.is_nan(), "{end:?}");
 }
 
@@ -398,12 +398,12 @@ fn steps_of_half_a_turn_are_refused() {
     let is_nan = |z: Phase| z.theta.is_nan() && z.omega.is_nan();
     let grid = |x: f64| Grid::new(x / 3.0, 10).unwrap();
     for x in [1.3, 2.0, 2.9, 3.0, 3.1, PI, 3.2, 4.0, 6.0, TAU, 6.3, 6.5, 9.0, 12.6, 1e9] {
-        let tried = pendula::try_integrate(&pendulum, method, start, &grid(x), &mut ());
+        let tried = pendula::try_integrate(&pendulum, method, start, &grid(x));
         assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
         let tried = InSteps(*method).try_run(&pendulum, start, &grid(x), &mut ());
         assert!(matches!(tried, Err(Error::NotSolved { n: 0, .. })), "{x}: {tried:?}");
-        assert!(is_nan(integrate(&pendulum, method, start, &grid(x), &mut ())), "{x}");
-        assert!(is_nan(integrate_fast(&pendulum, method, start, &grid(x), &mut ())), "{x}");
+        assert!(is_nan(integrate(&pendulum, method, start, &grid(x))), "{x}");
+        assert!(is_nan(integrate_fast(&pendulum, method, start, &grid(x))), "{x}");
         let mut pace = method.start(&pendulum, 0.0, -x / 3.0, start);
         assert!(is_nan(method.step(&pendulum, 0.0, -x / 3.0, start, &mut pace)), "{x}");
         // A slower pendulum in the next lane does not mind.
@@ -415,6 +415,6 @@ fn steps_of_half_a_turn_are_refused() {
         assert!(is_nan(ends[0]) && ends[1].theta.is_finite(), "{x}: {ends:?}");
     }
     for x in [1e-9, 0.5, 1.2] {
-        assert!(!is_nan(integrate_fast(&pendulum, method, start, &grid(x), &mut ())), "{x}");
+        assert!(!is_nan(integrate_fast(&pendulum, method, start, &grid(x))), "{x}");
     }
 }

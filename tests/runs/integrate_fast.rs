@@ -3,7 +3,10 @@
 use pendula::fast::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
 use pendula::registry::InSteps;
-use pendula::{AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast};
+use pendula::{
+    AnyMethod, Ensemble, Grid, Observer, Pendulum, Phase, integrate, integrate_fast,
+    integrate_fast_with,
+};
 use rstest::rstest;
 
 use crate::common::{First, Random, bits, in_seconds};
@@ -90,8 +93,8 @@ fn where_units_cannot_be_changed_time_is_in_seconds(
 ) {
     let (grid, start) = (Grid::new(h, 100).unwrap(), Phase { theta, omega });
     assert!(ScaledPendulum::new::<Rk4>(&pendulum(), &grid, start).is_none());
-    let quick = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut ());
-    assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid, &mut ()));
+    let quick = integrate_fast(&pendulum(), &Rk4, start, &grid);
+    assert_eq!(quick, integrate(&pendulum(), &Rk4, start, &grid));
 }
 
 /// K = h² g/L is 0.01, whatever the step, and the start is at rest: only the step itself is out of
@@ -111,8 +114,8 @@ fn a_step_that_is_no_unit_of_time_is_taken_in_seconds(#[case] h: f64, #[case] fi
     let pendulum = Pendulum::new(0.1 / h, 10.0 * h, 1.0 / h).unwrap();
     let (grid, start) = (Grid::new(h, 100).unwrap(), Phase::at_rest(1.0));
     assert_eq!(ScaledPendulum::new::<Rk4>(&pendulum, &grid, start).is_some(), fits);
-    let quick = integrate_fast(&pendulum, &Rk4, start, &grid, &mut ());
-    let plain = integrate(&pendulum, &Rk4, start, &grid, &mut ());
+    let quick = integrate_fast(&pendulum, &Rk4, start, &grid);
+    let plain = integrate(&pendulum, &Rk4, start, &grid);
     assert_eq!(bits(quick) == bits(plain), !fits, "{quick:?} {plain:?}");
 }
 
@@ -133,12 +136,12 @@ fn how_far_a_run_may_lead_depends_on_the_method() {
 #[test]
 fn a_satisfied_observer_ends_the_swing() {
     let (grid, start) = (Grid::new(0.1, 100).unwrap(), Phase::at_rest(1.0));
-    let end = integrate_fast(&pendulum(), &Rk4, start, &grid, &mut First::<4>::default());
+    let end = integrate_fast_with(&pendulum(), &Rk4, start, &grid, &mut First::<4>::default());
     let three = Grid::new(0.1, 3).unwrap();
-    assert_eq!(end, integrate_fast(&pendulum(), &Rk4, start, &three, &mut ()));
+    assert_eq!(end, integrate_fast(&pendulum(), &Rk4, start, &three));
     for start in (1..40).map(|i| Phase { theta: 0.3 * f64::from(i), omega: 1.0 / f64::from(i) }) {
         let mut watch = First::<1>::default();
-        assert_eq!(start, integrate_fast(&pendulum(), &Rk4, start, &grid, &mut watch.clone()));
+        assert_eq!(start, integrate_fast_with(&pendulum(), &Rk4, start, &grid, &mut watch.clone()));
         let tried = InSteps(Rk4).try_run(&pendulum(), start, &grid, &mut watch);
         assert_eq!(tried, Ok(start));
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::{
-    AnyMethod, Grid, Info, Method, Motion, MotionKind, Observer, Pendulum, Phase, integrate,
+    AnyMethod, Grid, Info, Method, Motion, MotionKind, Observer, Pendulum, Phase, integrate_with,
 };
 use rstest::rstest;
 
@@ -155,7 +155,7 @@ fn from_pi_rounding_holds_the_pendulum_up<M: Method<Pendulum> + Info>(#[case] me
     for h in [0.01, 0.02] {
         let mut fall = Fall::default();
         let grid = Grid::with_duration(h, 40.0).unwrap();
-        integrate(&pendulum, &method, Phase::at_rest(PI), &grid, &mut fall);
+        integrate_with(&pendulum, &method, Phase::at_rest(PI), &grid, &mut fall);
         let held = 0.5 * ULP / (h * h * square * REST);
         let moved = fall.moved.expect("it falls in the end") as f64;
         assert!(moved >= held && moved < held + 3.0, "moves at step {moved}, not {held}");

@@ -10,7 +10,7 @@ use crate::adaptive::Number;
 const ATTEMPTS: u64 = 1000;
 
 /// Steps that are off by no more than this share of a component, or of `size` where it is small.
-fn series(share: f64, size: f64) -> Adaptive<TaylorSeries> {
+fn series(share: f64, size: f64) -> Adaptive<'static, TaylorSeries> {
     let tolerance = Tolerance::new(share * size, share).unwrap();
     Adaptive::new(TaylorSeries, tolerance).max_attempts(ATTEMPTS)
 }

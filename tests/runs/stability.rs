@@ -5,7 +5,9 @@ use std::f64::consts::SQRT_2;
 
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
-use pendula::{Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, System, integrate};
+use pendula::{
+    Grid, Hamiltonian, LinearOscillator, Method, Pendulum, Phase, System, integrate, integrate_with,
+};
 use rstest::rstest;
 
 use crate::common::pendulums;
@@ -32,7 +34,7 @@ fn end<S: System<State = Phase>>(
     theta: f64,
     grid: &Grid,
 ) -> Phase {
-    integrate(system, method, Phase::at_rest(theta), grid, &mut ())
+    integrate(system, method, Phase::at_rest(theta), grid)
 }
 
 /// The largest |θ| (rad) from `start`.
@@ -43,7 +45,7 @@ fn farthest<S: System<State = Phase>>(
     grid: &Grid,
 ) -> f64 {
     let mut largest = 0.0_f64;
-    integrate(system, method, start, grid, &mut |_, _, z: Phase| {
+    integrate_with(system, method, start, grid, &mut |_, _, z: Phase| {
         largest = if z.theta.is_nan() { f64::NAN } else { largest.max(z.theta.abs()) };
     });
     largest

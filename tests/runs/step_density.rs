@@ -26,7 +26,7 @@ fn with_a_constant_density_it_is_stormer_verlet() {
     let shaken = Shaken::new(pendulum(), 0.3, 7.0).unwrap();
     let start = Phase { theta: 1.0, omega: 0.4 };
     let grid = Grid::new(0.01, 1000).unwrap();
-    let end = integrate(&shaken, &StormerVerlet, start, &grid, &mut ());
+    let end = integrate(&shaken, &StormerVerlet, start, &grid);
     let mut steps = SymmetricSteps::new(&shaken, start, 0.01, |_| 0.0).unwrap();
     let sample = steps.nth(999).unwrap().unwrap();
     assert_eq!(sample, steps.sample());

@@ -12,7 +12,7 @@ use pendula::{
 use crate::adaptive::Number;
 use crate::common::pendulum;
 
-fn series(tolerance: f64) -> Adaptive<TaylorSeries> {
+fn series(tolerance: f64) -> Adaptive<'static, TaylorSeries> {
     Adaptive::new(TaylorSeries, Tolerance::uniform(tolerance).unwrap())
 }
 
@@ -390,11 +390,11 @@ fn where_six_powers_vanish_the_last_that_does_not_decides() {
 fn an_equilibrium_is_no_trouble() {
     let pendulum = pendulum();
     let bottom = Phase::at_rest(0.0);
-    let (end, counts) = series(1e-9).integrate(&pendulum, bottom, 0.0, 1e6, &mut ()).unwrap();
+    let (end, counts) = series(1e-9).integrate(&pendulum, bottom, 0.0, 1e6).unwrap();
     assert_eq!((end, counts.accepted), (bottom, 1));
     let top = Phase::at_rest(std::f64::consts::PI);
     let right = Motion::new(&pendulum, top).unwrap();
-    let (end, _) = series(1e-9).integrate(&pendulum, top, 0.0, 4.0, &mut ()).unwrap();
+    let (end, _) = series(1e-9).integrate(&pendulum, top, 0.0, 4.0).unwrap();
     // e^(ω₀ · 4 s) = 1.2e6 times 1.2e-16; each step is off by 1e-9 · e⁻³ at most, and that grows as
     // much, from the first step on, of which there are a few.
     assert!((end.theta - right.at(4.0).theta).abs() < 1e-3, "{end:?}");
@@ -410,14 +410,14 @@ fn any_analytic_system_will_do() {
     let start = Phase { theta: 1.0, omega: 0.0 };
     let phase = 30.0 * pendulum.small_angle_frequency();
     let linear = LinearOscillator::new(pendulum);
-    let (end, counts) = series(1e-12).integrate(&linear, start, 0.0, 30.0, &mut ()).unwrap();
+    let (end, counts) = series(1e-12).integrate(&linear, start, 0.0, 30.0).unwrap();
     // Less than 100 steps, each off by a tolerance at most, and none grows.
     assert!((end.theta - phase.cos()).abs() < 1e-10, "{end:?}");
     assert!((counts.accepted as f64) < phase, "{counts:?}");
 
-    let (plain, steps) = series(1e-12).integrate(&pendulum, start, 0.0, 30.0, &mut ()).unwrap();
+    let (plain, steps) = series(1e-12).integrate(&pendulum, start, 0.0, 30.0).unwrap();
     let (kept, same) = series(1e-12)
-        .integrate(&Compensated::new(pendulum), CompensatedPhase::from(start), 0.0, 30.0, &mut ())
+        .integrate(&Compensated::new(pendulum), CompensatedPhase::from(start), 0.0, 30.0)
         .unwrap();
     assert_eq!(steps, same);
     // 100 steps of a few roundings, each carried on by 100 steps more.

@@ -10,7 +10,7 @@ use approx::{assert_relative_eq, relative_eq};
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
 use pendula::{
-    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, integrate,
+    AnyMethod, Grid, Hamiltonian, METHODS, Motion, Pendulum, Phase, System, exact, integrate_with,
     method_named,
 };
 use pendula_dynamics::kepler::{Kepler, PlanePhase};
@@ -265,7 +265,7 @@ fn adaptive_steps() -> Vec<Expected> {
     let grid = Grid::new(1000.0 * year / count as f64, count).unwrap();
     let mut equal = Vec::new();
     let mut keep = |_: u64, t: f64, z: PlanePhase| equal.push((t, z));
-    integrate(&centre, &StormerVerlet, start, &grid, &mut keep);
+    integrate_with(&centre, &StormerVerlet, start, &grid, &mut keep);
     vec![
         expect("energy error", "fixed steps", so_far(&equal)),
         expect("energy error", "symmetric control", so_far(&symmetric)),

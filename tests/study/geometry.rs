@@ -43,7 +43,7 @@ where
     for start in starts() {
         let taken = parts(&method, start);
         let grid = Grid::new(STEP, 1).unwrap();
-        assert_eq!(taken.end, integrate(&pendulum(), &method, start, &grid, &mut ()));
+        assert_eq!(taken.end, integrate(&pendulum(), &method, start, &grid));
         let mut at = start;
         for part in taken.in_order() {
             if part.kind == Kind::Slope {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet};
 use pendula::metrics::AngleError;
-use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate};
+use pendula::{Grid, LinearOscillator, Motion, Pendulum, Phase, integrate_with};
 use pendula_study::claims::{Prediction, predictions};
 use pendula_study::experiments::{PaperMethod, STEPS, convergence, small_angle};
 use pendula_study::theory::small_angle::{
@@ -100,7 +100,13 @@ fn what_is_left_at_small_steps_is_the_formulas_own_error(#[case] duration: f64) 
     let start = Phase::at_rest(theta_0);
     let formula = LinearOscillator::new(pendulum);
     let mut error = AngleError::new(|t| formula.exact(start, t).theta);
-    integrate(&pendulum, &Rk4, start, &Grid::with_duration(0.01, duration).unwrap(), &mut error);
+    integrate_with(
+        &pendulum,
+        &Rk4,
+        start,
+        &Grid::with_duration(0.01, duration).unwrap(),
+        &mut error,
+    );
     let floor = floor(&pendulum, theta_0, duration);
     let left_out = 0.75 / (pendulum.small_angle_frequency() * duration);
     assert_relative_eq!(error.root_mean_square(), floor, max_relative = left_out);
@@ -137,7 +143,7 @@ fn stormer_verlets_own_error_is_that_of_its_phase(
     let truth = Motion::new(&pendulum, start).unwrap();
     let mut error = AngleError::new(|t| truth.at(t).theta);
     let grid = Grid::with_duration(h, duration).unwrap();
-    integrate(&pendulum, &StormerVerlet, start, &grid, &mut error);
+    integrate_with(&pendulum, &StormerVerlet, start, &grid, &mut error);
     let law = own_error_of_stormer_verlet(&pendulum, theta_0, h, duration);
     let x = pendulum.small_angle_frequency() * h;
     let left_out = 0.75 / (x / h * duration) + 9.0 * x * x / 80.0 + theta_0 * theta_0 / 8.0;
@@ -159,7 +165,7 @@ fn forward_euler_goes_over_in_table_4() {
         };
         let grid = Grid::with_duration(h, convergence::DURATION).unwrap();
         let start = Phase::at_rest(convergence::THETA_0);
-        integrate(&Pendulum::PAPER, &ForwardEuler, start, &grid, &mut look);
+        integrate_with(&Pendulum::PAPER, &ForwardEuler, start, &grid, &mut look);
         first.map(|t| t.round())
     });
     assert_eq!(when, [Some(6.0), Some(5.0), Some(27.0), None, None]);

@@ -8,7 +8,7 @@ use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::{
     Grid, Hamiltonian, Info, LinearOscillator, METHODS, Method, Pendulum, Phase, Separable, System,
-    integrate,
+    integrate_with,
 };
 use pendula_study::claims::{Claim, Measured, cell_id};
 use pendula_study::experiments::{PaperMethod, STEPS, convergence, long_run, small_angle};
@@ -99,14 +99,14 @@ fn cells<M: Method<Sloppy> + Info>(system: &Sloppy, method: &M) -> Vec<(String, 
     for step in STEPS {
         let mut drift = EnergyDrift::new(system);
         let start = Phase::at_rest(convergence::THETA_0);
-        integrate(system, method, start, &grid(convergence::DURATION, step), &mut drift);
+        integrate_with(system, method, start, &grid(convergence::DURATION, step), &mut drift);
         cells.push((cell_id(4, id, step), drift.largest()));
     }
 
     let mut drift = EnergyDrift::new(system);
     let start = Phase::at_rest(long_run::THETA_0);
     let long = grid(long_run::DURATION, long_run::STEP);
-    let end = integrate(system, method, start, &long, &mut drift);
+    let end = integrate_with(system, method, start, &long, &mut drift);
     let (initial, drift) = (system.energy_from_pivot(start), drift.largest());
     cells.extend([
         (cell_id(5, id, "dH"), drift),
@@ -122,7 +122,7 @@ fn cells<M: Method<Sloppy> + Info>(system: &Sloppy, method: &M) -> Vec<(String, 
         let angle = AngleError::new(|t| formula.exact(start, t).theta);
         let mut watch = (angle, EnergyDrift::new(system));
         let grid = grid(small_angle::DURATION, step);
-        integrate(system, method, start, &grid, &mut watch);
+        integrate_with(system, method, start, &grid, &mut watch);
         let error = watch.0.root_mean_square();
         cells.push((cell_id(6, id, step), error));
         if step == 0.01 {
@@ -195,7 +195,7 @@ fn one_digit_more_of_rk4_would_move() {
     let printed = |seed: u64| {
         let machine = Sloppy::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let mut drift = EnergyDrift::new(&machine);
-        integrate(&machine, &Rk4, Phase::at_rest(convergence::THETA_0), &grid, &mut drift);
+        integrate_with(&machine, &Rk4, Phase::at_rest(convergence::THETA_0), &grid, &mut drift);
         format!("{:.1e}", drift.largest())
     };
     let first = printed(1);

@@ -5,7 +5,7 @@ use pendula::methods::{Rk4, StormerVerlet};
 use pendula::systems::Damped;
 use pendula::{
     AnyMethod, Error, Grid, Info, LinearOscillator, Method, Pendulum, Phase, Separable, System,
-    integrate,
+    integrate, integrate_with,
 };
 use pendula_dynamics::shapes;
 use rstest::rstest;
@@ -68,7 +68,7 @@ fn small_swings_decay_as_the_linear_equation_says(#[case] beta: f64) {
     let damped = damped(beta);
     for start in [Phase::at_rest(1e-5), Phase { theta: -0.3e-5, omega: 1e-5 }] {
         let grid = Grid::with_duration(0.001, 6.0).unwrap();
-        integrate(&damped, &Rk4, start, &grid, &mut |_, t, z: Phase| {
+        integrate_with(&damped, &Rk4, start, &grid, &mut |_, t, z: Phase| {
             let exact = small_swing(&damped, start, t);
             assert_abs_diff_eq!(z.theta, exact.theta, epsilon = LINEAR * 1e-5);
             assert_abs_diff_eq!(z.omega, exact.omega, epsilon = LINEAR * 1e-5 * 4.0);
@@ -124,7 +124,7 @@ fn what_the_energy_loses_friction_takes() {
     let grid = Grid::new(h, steps).unwrap();
     let start = Phase { theta: 2.5, omega: 1.0 };
     let (mut taken, mut energy) = (0.0, Vec::new());
-    integrate(&damped, &Rk4, start, &grid, &mut |n, _, z: Phase| {
+    integrate_with(&damped, &Rk4, start, &grid, &mut |n, _, z: Phase| {
         let weight = if n == 0 || n == steps { 1.0 } else { 2.0 + 2.0 * (n % 2) as f64 };
         taken += weight * h / 3.0 * damped.power(z);
         energy.push(damped.energy(z));
@@ -176,7 +176,7 @@ fn area_after<M: Method<Damped>>(method: &M, damped: &Damped, grid: &Grid, corne
     let ring = (0..corners).map(|k| 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(corners));
     let ends = ring
         .map(|turn| Phase { theta: 1.0 + 0.3 * turn.cos(), omega: 0.5 + 0.3 * turn.sin() })
-        .map(|start| integrate(damped, method, start, grid, &mut ()));
+        .map(|start| integrate(damped, method, start, grid));
     shapes::area(ends)
 }
 
@@ -237,7 +237,7 @@ fn damping_keeps_the_order<M: Method<Damped> + Info>(#[case] method: M, #[case] 
     let start = Phase { theta: 1e-6, omega: 1e-6 };
     let error = |steps: u64| {
         let grid = Grid::new(1.7 / steps as f64, steps).unwrap();
-        let end = integrate(&damped, &method, start, &grid, &mut ());
+        let end = integrate(&damped, &method, start, &grid);
         (end.theta - small_swing(&damped, start, 1.7).theta).abs()
     };
     let coarsest = 256 >> (order as u32);

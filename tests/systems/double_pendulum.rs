@@ -7,7 +7,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use pendula::methods::{Gauss4, Gauss6, ImplicitMidpoint, Rk4};
 use pendula::metrics::EnergyDrift;
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
-use pendula::{Grid, Hamiltonian, Method, RateOf, System, integrate};
+use pendula::{Grid, Hamiltonian, Method, RateOf, System, integrate, integrate_with};
 use pendula_study::dynamics::{mode_shapes, normal_modes};
 use pendula_study::experiments::beyond::{equals, separation, swing_frequency};
 
@@ -154,9 +154,9 @@ fn hamilton_and_lagrange_go_the_same_way() {
         let double = unequal();
         let grid = Grid::new(0.0005, 2000).unwrap();
         let start = double.start(theta, omega).unwrap();
-        let end = integrate(&double, &Rk4, start, &grid, &mut ());
+        let end = integrate(&double, &Rk4, start, &grid);
         let start = DoublePhase { theta1: theta[0], theta2: theta[1], p1: omega[0], p2: omega[1] };
-        let other = integrate(&Lagrange(double), &Rk4, start, &grid, &mut ());
+        let other = integrate(&Lagrange(double), &Rk4, start, &grid);
         let [omega1, omega2] = double.velocities(end);
         // RK4: h⁴/120 = 5e-16 times fifth derivatives of up to (20/s)⁵ for 1 s, times the
         // divergence of neighbouring motions in that time: 1e-8.
@@ -238,7 +238,7 @@ fn only_a_symplectic_method_keeps_the_energy() {
         let [short, long] = [5_000, 50_000].map(|steps| {
             let mut drift = EnergyDrift::new(&double);
             let grid = Grid::new(0.02, steps).unwrap();
-            integrate(&double, method, start, &grid, &mut drift);
+            integrate_with(&double, method, start, &grid, &mut drift);
             drift.largest()
         });
         long / short

@@ -292,8 +292,8 @@ fn the_error_bar_of_two_blocks_is_half_their_difference() {
 fn kicks_and_drifts_are_the_same_motion() {
     let (driven, grid) = (driven(0.8), Grid::new(0.001, 2000).unwrap());
     let start = Phase { theta: 1.0, omega: 0.4 };
-    let verlet = integrate(&driven, &StormerVerlet, start, &grid, &mut ());
-    let rk4 = integrate(&driven, &Rk4, start, &grid, &mut ());
+    let verlet = integrate(&driven, &StormerVerlet, start, &grid);
+    let rk4 = integrate(&driven, &Rk4, start, &grid);
     let off = verlet + rk4 * -1.0;
     assert!(off.theta.abs() < 3e-6 && off.omega.abs() < 5e-6, "{off:?}");
 }

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use pendula::metrics::order::slopes;
-use pendula::{Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate};
+use pendula::{
+    Counting, Error, Grid, Hamiltonian, Info, Method, Separable, System, integrate_with,
+};
 use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use pendula_study::experiments::beyond::precession;
 use pendula_study::theory::other_systems::verlet_precession;
@@ -59,7 +61,7 @@ fn largest_error<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
     let (centre, ellipse) = planet(0.2);
     let grid = Grid::new(3.7 / steps as f64, steps).unwrap();
     let mut largest = 0.0_f64;
-    integrate(&centre, method, ellipse.at(0.3), &grid, &mut |_, t, z: PlanePhase| {
+    integrate_with(&centre, method, ellipse.at(0.3), &grid, &mut |_, t, z: PlanePhase| {
         let exact = ellipse.at(0.3 + t);
         largest = largest.max((z.x - exact.x).hypot(z.y - exact.y));
     });
@@ -139,7 +141,7 @@ fn momentum_drift<M: Method<Kepler>>(method: &M) -> f64 {
     let grid = Grid::new(ellipse.period() / 100.0, 10_000).unwrap();
     let start = ellipse.at(0.0);
     let (initial, mut largest) = (centre.angular_momentum(start), 0.0_f64);
-    integrate(&centre, method, start, &grid, &mut |_, _, z: PlanePhase| {
+    integrate_with(&centre, method, start, &grid, &mut |_, _, z: PlanePhase| {
         largest = largest.max((centre.angular_momentum(z) / initial - 1.0).abs());
     });
     largest

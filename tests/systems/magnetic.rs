@@ -142,7 +142,7 @@ fn end<S: System<State = PlanePhase>>(
     steps: u32,
 ) -> PlanePhase {
     let grid = Grid::new(DURATION / f64::from(steps), steps.into()).unwrap();
-    integrate(system, method, START, &grid, &mut ())
+    integrate(system, method, START, &grid)
 }
 
 /// A turn, and no whole number of them (s).

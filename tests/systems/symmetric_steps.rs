@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, integrate_with};
 use pendula_dynamics::kepler::{Kepler, Planar, PlanePhase};
 
 use crate::common::pendulum;
@@ -142,7 +142,7 @@ fn fixed_drift<S: Hamiltonian + Separable>(
 ) -> Drift {
     let mut drift = Drift::none();
     let grid = Grid::new(duration / steps as f64, steps).unwrap();
-    integrate(system, &StormerVerlet, start, &grid, &mut |_, t, z| {
+    integrate_with(system, &StormerVerlet, start, &grid, &mut |_, t, z| {
         drift.see(system.energy(z) - system.energy(start), t < 0.1 * duration);
     });
     drift

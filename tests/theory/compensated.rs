@@ -4,7 +4,7 @@ use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Compensated, CompensatedPhase, Grid, Hamiltonian, Method, Pendulum, Phase,
-    Separable, System, integrate,
+    Separable, System, integrate, integrate_with,
 };
 use pendula_study::experiments::long_run;
 use pendula_study::theory::{Dimensionless, stormer_verlet};
@@ -102,7 +102,7 @@ where
     let square = |i: i32| {
         let start = Phase::at_rest(0.5 + 0.02 * f64::from(i));
         let grid = Grid::new(STEP, STEPS).unwrap();
-        let end = integrate(system, &StormerVerlet, start.into(), &grid, &mut ());
+        let end = integrate(system, &StormerVerlet, start, &grid);
         (energy(phase(end)) / energy(start) - 1.0).powi(2)
     };
     ((0..16).map(square).sum::<f64>() / 16.0).sqrt()
@@ -155,7 +155,7 @@ where
     {
         let start = Phase::at_rest(long_run::THETA_0);
         let mut drift = EnergyDrift::new(system);
-        integrate(system, method, start.into(), grid, &mut drift);
+        integrate_with(system, method, start, grid, &mut drift);
         drift.largest()
     }
     let plain = drift(&Pendulum::PAPER, &method, &grid);

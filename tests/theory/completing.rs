@@ -10,7 +10,7 @@ use pendula::methods::{
 use pendula::registry::InSteps;
 use pendula::{
     AnyMethod, Grid, Hamiltonian, LinearOscillator, Method, Motion, Pendulum, Phase, exact,
-    integrate,
+    integrate, integrate_with,
 };
 use pendula_judge::properties::area::{AREA_TOLERANCE, area_defect};
 use pendula_judge::properties::energy;
@@ -122,7 +122,7 @@ fn the_energy_error_is_a_perfect_square<M: Method<Pendulum>>(
     let (pendulum, start, x) = (pendulum(), Phase::at_rest(theta_0), 0.1);
     let square = |z: Phase| (z.theta.cos() - theta_0.cos()).powi(2);
     let (mut largest, mut off) = (0.0_f64, 0.0_f64);
-    integrate(&pendulum, &method, start, &grid(x, 60_000), &mut |_, _, z: Phase| {
+    integrate_with(&pendulum, &method, start, &grid(x, 60_000), &mut |_, _, z: Phase| {
         let error = (pendulum.energy(z) - pendulum.energy(start)) / pendulum.depth();
         largest = largest.max(error.abs());
         off = off.max((error - coefficient * x * x * square(z)).abs());
@@ -171,7 +171,7 @@ where
     const STEPS: u64 = 100_000;
     let (linear, start) = (LinearOscillator::new(pendulum()), Phase { theta: 1.0, omega: 0.7 });
     let grid = grid(x, STEPS);
-    let end = integrate(&linear, method, start, &grid, &mut ());
+    let end = integrate(&linear, method, start, &grid);
     let exact = linear.exact(start, grid.time(STEPS));
     let rounding = 20.0 * f64::EPSILON * x * STEPS as f64 + a_step * f64::EPSILON * 316.0;
     assert!((end.theta - exact.theta).abs() < rounding, "{:e}", end.theta - exact.theta);
@@ -179,7 +179,7 @@ where
     assert!(drift.abs() < rounding, "{drift:e}");
     // In units of its size, which is a power of two, the pendulum has the same end.
     let tiny = 2.0_f64.powi(-40);
-    let end = integrate(&pendulum(), method, start * tiny, &grid, &mut ());
+    let end = integrate(&pendulum(), method, start * tiny, &grid);
     assert!((end.theta / tiny - exact.theta).abs() < rounding, "{end:?}");
 }
 
@@ -226,7 +226,7 @@ fn its_energy_error_falls_with_the_fourth_power_of_the_amplitude(
     let x = 0.1;
     let (pendulum, start) = (pendulum(), Phase::at_rest(theta_0));
     let mut largest = 0.0_f64;
-    integrate(&pendulum, &Deuflhard, start, &grid(x, 1000), &mut |_, _, z: Phase| {
+    integrate_with(&pendulum, &Deuflhard, start, &grid(x, 1000), &mut |_, _, z: Phase| {
         largest = largest.max((pendulum.energy(z) - pendulum.energy(start)) / pendulum.depth());
     });
     let law = 25.0 * x * x * theta_0.powi(4) / 1152.0;
@@ -240,7 +240,7 @@ fn its_energy_error_falls_with_the_fourth_power_of_the_amplitude(
 fn lag<M: Method<Pendulum>>(method: &M) -> f64 {
     let h = exact::period(&pendulum(), 1.0).unwrap() / 66.0;
     let grid = Grid::new(h, 20 * 66).unwrap();
-    let end = integrate(&pendulum(), method, Phase::at_rest(1.0), &grid, &mut ());
+    let end = integrate(&pendulum(), method, Phase::at_rest(1.0), &grid);
     end.omega / (pendulum().frequency_squared() * 1.0_f64.sin())
 }
 
@@ -273,7 +273,7 @@ fn its_steps_may_be_longer_than_verlets(#[values(2.1, 2.5, 2.9)] x: f64) {
     assert!(worst(&Deuflhard) < 0.05, "{:e}", worst(&Deuflhard));
     assert!(worst(&StormerVerlet) > 1.0, "{:e}", worst(&StormerVerlet));
     let hundred = grid(x, 100);
-    let end = integrate(&pendulum, &Deuflhard, start, &hundred, &mut ());
+    let end = integrate(&pendulum, &Deuflhard, start, &hundred);
     let truth = Motion::new(&pendulum, start).unwrap().at(hundred.time(100));
     assert!((end.theta - truth.theta).abs() < 0.05 * 0.1, "{end:?}, not {truth:?}");
 }
@@ -302,7 +302,7 @@ fn over_the_top_its_energy_steps_at_random(#[values(0.02, 0.05)] x: f64) {
     let mut passages: Vec<f64> = vec![];
     let mut turn = 0.0;
     let grid = grid(x, (800.0 * 2.0 * PI / 2.6 / x) as u64);
-    integrate(&pendulum, &Deuflhard, start, &grid, &mut |_, _, z: Phase| {
+    integrate_with(&pendulum, &Deuflhard, start, &grid, &mut |_, _, z: Phase| {
         if (z.theta / (2.0 * PI)).floor() > turn {
             turn += 1.0;
             passages.push(conserved(z));

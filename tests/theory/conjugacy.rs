@@ -39,7 +39,7 @@ fn symplectic_euler_goes_home_by_a_reversal_of_its_own() {
             let kick = part_of_a_kick * grid.step() * pendulum.force(0.0, z);
             Phase { omega: -(z.omega + kick), ..z }
         };
-        let run = |z| integrate(&pendulum, &SymplecticEuler, z, &grid, &mut ());
+        let run = |z| integrate(&pendulum, &SymplecticEuler, z, &grid);
         let back = reversed(run(reversed(run(start))));
         (back.theta - start.theta).abs() + (back.omega - start.omega).abs()
     };

@@ -7,7 +7,7 @@ use pendula::methods::{ForwardEuler, PositionVerlet, Rk4, StormerVerlet, Symplec
 use pendula::metrics::EnergyDrift;
 use pendula::{
     Grid, Hamiltonian, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate,
-    method_named,
+    integrate_with, method_named,
 };
 use pendula_judge::properties::flipped;
 use pendula_study::experiments::convergence;
@@ -24,7 +24,7 @@ fn step(x: f64) -> f64 {
 fn largest_energy_error<M: Method<Pendulum>>(method: &M, theta_0: f64, grid: &Grid) -> f64 {
     let pendulum = pendulum();
     let mut drift = EnergyDrift::new(&pendulum);
-    integrate(&pendulum, method, Phase::at_rest(theta_0), grid, &mut drift);
+    integrate_with(&pendulum, method, Phase::at_rest(theta_0), grid, &mut drift);
     drift.largest()
 }
 
@@ -50,7 +50,7 @@ fn spread<M: Method<Pendulum>>(
 ) -> f64 {
     let (pendulum, mut low, mut high) = (pendulum(), f64::INFINITY, f64::NEG_INFINITY);
     let grid = Grid::new(step(x), (40.0 / x) as u64).unwrap();
-    integrate(&pendulum, method, start, &grid, &mut |_, _, z: Phase| {
+    integrate_with(&pendulum, method, start, &grid, &mut |_, _, z: Phase| {
         let z = Dimensionless::from_phase(&pendulum, z);
         let energy = z.energy() + correction(z);
         (low, high) = (f64::min(low, energy), f64::max(high, energy));
@@ -146,7 +146,7 @@ fn the_energy_change_of_a_step_is_its_series(#[case] theta: f64, #[case] omega: 
     let (pendulum, z) = (pendulum(), Phase { theta, omega });
     let left = |x: f64| {
         let grid = Grid::new(step(x), 1).unwrap();
-        let end = integrate(&pendulum, &Rk4, z, &grid, &mut ());
+        let end = integrate(&pendulum, &Rk4, z, &grid);
         let change = (pendulum.energy(end) - pendulum.energy(z)) / pendulum.depth();
         let terms = theory::rk4::energy_change_terms(Dimensionless::from_phase(&pendulum, z));
         let series: f64 = (0..4).map(|k| terms[k] * x.powi(k as i32 + 5)).sum();
@@ -172,7 +172,7 @@ fn rk4_loses_energy_at_the_secular_rate(#[values(0.3, 1.0, 2.0, 2.8)] theta_0: f
     let period = exact::period(&pendulum, theta_0).unwrap();
     let steps = 100;
     let grid = Grid::new(period / f64::from(steps), 10 * u64::from(steps as u32)).unwrap();
-    let end = integrate(&pendulum, &Rk4, start, &grid, &mut ());
+    let end = integrate(&pendulum, &Rk4, start, &grid);
     let rate = (pendulum.energy(end) - pendulum.energy(start)) / (10.0 * period);
     let law = theory::rk4::secular_rate(&pendulum, theta_0, grid.step());
     assert!(law < 0.0);
@@ -198,7 +198,7 @@ fn forward_euler_follows_its_modified_equation(#[values(0.3, 1.5, 2.9)] theta_0:
             let (z, truth) = (Dimensionless::from_phase(&pendulum, z), truth.next().unwrap());
             largest = largest.max((z.theta - truth.theta).abs()).max((z.q - truth.q).abs());
         };
-        integrate(&pendulum, &ForwardEuler, Phase::at_rest(theta_0), &grid, &mut watch);
+        integrate_with(&pendulum, &ForwardEuler, Phase::at_rest(theta_0), &grid, &mut watch);
         largest
     };
     let order = slope(largest(0.03), largest(0.015));
@@ -213,7 +213,7 @@ fn forward_euler_follows_its_modified_equation(#[values(0.3, 1.5, 2.9)] theta_0:
 fn forward_euler_grows_a_small_swing_exponentially() {
     fn growth<S: Hamiltonian<State = Phase>>(system: &S, grid: &Grid) -> f64 {
         let start = Phase::at_rest(0.01);
-        let end = integrate(system, &ForwardEuler, start, grid, &mut ());
+        let end = integrate(system, &ForwardEuler, start, grid);
         system.energy(end) / system.energy(start)
     }
     let (pendulum, grid) = (pendulum(), Grid::new(step(0.05), 500).unwrap());
@@ -234,7 +234,7 @@ fn forward_euler_grows_any_swing_by_the_mean_of_sin_squared(#[values(0.5, 1.5, 2
     let period = exact::period(&pendulum, theta_0).unwrap();
     let ratio = |steps: u64| {
         let grid = Grid::new(period / steps as f64, steps).unwrap();
-        let end = integrate(&pendulum, &ForwardEuler, start, &grid, &mut ());
+        let end = integrate(&pendulum, &ForwardEuler, start, &grid);
         let rate = (pendulum.energy(end) - pendulum.energy(start)) / period;
         rate / theory::forward_euler::swinging_rate(&pendulum, theta_0, grid.step())
     };
@@ -259,7 +259,7 @@ fn forward_euler_rotating_gains_less_the_larger_the_turn_of_a_step(#[case] turns
     let h = 2.0 * PI * f64::from(turns) / STEPS as f64 / spin;
     let (grid, mut sums) = (Grid::new(h, 2 * STEPS - 1).unwrap(), [0.0; 2]);
     let start = Phase { theta: 0.0, omega: spin };
-    integrate(&pendulum, &ForwardEuler, start, &grid, &mut |n: u64, _, z| {
+    integrate_with(&pendulum, &ForwardEuler, start, &grid, &mut |n: u64, _, z| {
         sums[usize::from(n >= STEPS)] += pendulum.energy(z);
     });
     let rate = (sums[1] - sums[0]) / STEPS as f64 / grid.time(STEPS);
@@ -278,7 +278,7 @@ fn forward_euler_locks_at_half_a_turn_a_step() {
     let grid = Grid::new(h, steps).unwrap();
     let mut largest = 0.0_f64;
     let start = Phase::at_rest(1.0);
-    let end = integrate(&pendulum, &ForwardEuler, start, &grid, &mut |_, _, z| {
+    let end = integrate_with(&pendulum, &ForwardEuler, start, &grid, &mut |_, _, z| {
         largest = largest.max(pendulum.energy(z));
     });
     let law = theory::forward_euler::saturation_energy(&pendulum, h);
@@ -334,8 +334,8 @@ fn energy_errors_are_those_of_sixty_digits() {
 #[case(pendula_judge::properties::pendulum())]
 fn rk4_returns_with_less_by_what_it_loses(#[case] pendulum: Pendulum) {
     let (start, grid) = (Phase::at_rest(1.0), Grid::new(0.01, 100_000).unwrap());
-    let there = integrate(&pendulum, &Rk4, start, &grid, &mut ());
-    let back = integrate(&pendulum, &Rk4, flipped(there), &grid, &mut ());
+    let there = integrate(&pendulum, &Rk4, start, &grid);
+    let back = integrate(&pendulum, &Rk4, flipped(there), &grid);
     let lost = pendulum.energy(start) - pendulum.energy(back);
     let law = -2000.0 * theory::rk4::secular_rate(&pendulum, 1.0, 0.01);
     assert_relative_eq!(lost, law, max_relative = 1e-3);

@@ -3,7 +3,7 @@
 use pendula::fast::Ensemble;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, Hamiltonian, Pendulum, Phase, integrate};
+use pendula::{Grid, Hamiltonian, Pendulum, Phase, integrate, integrate_with};
 use pendula_study::experiments::rounding_walk;
 use pendula_study::theory;
 use pendula_study::theory::{Dimensionless, stormer_verlet};
@@ -51,7 +51,7 @@ fn largest_error(pendulum: &Pendulum, theta_0: f64, h: f64, steps: u64) -> f64 {
             largest = if error.is_nan() { error } else { largest.max(error) };
         }
     };
-    integrate(pendulum, &StormerVerlet, start, &Grid::new(h, steps).unwrap(), &mut watch);
+    integrate_with(pendulum, &StormerVerlet, start, &Grid::new(h, steps).unwrap(), &mut watch);
     largest
 }
 
@@ -157,7 +157,7 @@ const STEP: f64 = 0.01;
 /// left of the oscillation is 2e-8 J.
 fn lost(pendulum: &Pendulum, steps: u64) -> f64 {
     let start = Phase::at_rest(THETA_0);
-    let end = integrate(pendulum, &Rk4, start, &Grid::new(STEP, steps).unwrap(), &mut ());
+    let end = integrate(pendulum, &Rk4, start, &Grid::new(STEP, steps).unwrap());
     pendulum.energy(start) - pendulum.energy(end)
 }
 
@@ -178,7 +178,7 @@ fn rk4_will_overtake_verlet_after_240_000_seconds() {
     let mut verlet = EnergyDrift::new(&pendulum);
     let start = Phase::at_rest(THETA_0);
     let grid = Grid::new(STEP, 400_000).unwrap();
-    integrate(&pendulum, &StormerVerlet, start, &grid, &mut verlet);
+    integrate_with(&pendulum, &StormerVerlet, start, &grid, &mut verlet);
     let amplitude = stormer_verlet::energy_error(&pendulum, THETA_0, STEP);
     assert!((verlet.largest() / amplitude - 1.0).abs() < 1e-5, "{:e} J", verlet.largest());
     let overtakes = amplitude / rate;

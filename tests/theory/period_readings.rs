@@ -3,7 +3,7 @@
 use pendula::exact::period;
 use pendula::methods::Rk4;
 use pendula::metrics::{CrossingPeriod, Linear, PeakPeriod};
-use pendula::{Grid, Motion, Observer, Pendulum, Phase, integrate};
+use pendula::{Grid, Motion, Observer, Pendulum, Phase, integrate_with};
 use pendula_study::dynamics::Henon;
 use pendula_study::experiments::large_angle;
 use pendula_study::theory;
@@ -52,7 +52,7 @@ impl Readings {
     fn of_rk4(pendulum: &Pendulum, h: f64) -> Self {
         let grid = Grid::with_duration(h, 8.0).unwrap();
         Self::of(pendulum, |observer| {
-            integrate(pendulum, &Rk4, Phase::at_rest(THETA_0), &grid, observer);
+            integrate_with(pendulum, &Rk4, Phase::at_rest(THETA_0), &grid, observer);
         })
     }
 

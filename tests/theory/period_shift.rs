@@ -7,7 +7,8 @@ use approx::assert_relative_eq;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::CrossingPeriod;
 use pendula::{
-    Grid, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate, method_named,
+    Grid, LinearOscillator, METHODS, Method, Pendulum, Phase, exact, integrate, integrate_with,
+    method_named,
 };
 use pendula_study::experiments::resonance::{EVEN, largest_error, place, slip, tau};
 use pendula_study::theory;
@@ -24,7 +25,7 @@ pub fn shift<M: Method<Pendulum>>(method: &M, theta_0: f64, x: f64, periods: f64
     let period = exact::period(&pendulum, theta_0).unwrap();
     let grid = Grid::new(h, (periods * period / h) as u64).unwrap();
     let mut crossings = CrossingPeriod::default();
-    integrate(&pendulum, method, Phase::at_rest(theta_0), &grid, &mut crossings);
+    integrate_with(&pendulum, method, Phase::at_rest(theta_0), &grid, &mut crossings);
     crossings.period().unwrap() / period - 1.0
 }
 
@@ -90,7 +91,7 @@ fn the_period_of_rk4_shifts_as_predicted(#[values(0.1, 1.0, 2.0, 3.0)] theta_0: 
     let shift = |steps: u64| {
         let h = quarter / steps as f64;
         let grid = Grid::new(h, steps).unwrap();
-        let z = integrate(&pendulum, &Rk4, Phase::at_rest(theta_0), &grid, &mut ());
+        let z = integrate(&pendulum, &Rk4, Phase::at_rest(theta_0), &grid);
         -z.theta / z.omega / quarter / (h * h * h * h)
     };
     let law = theory::rk4::period_shift(&pendulum, theta_0);
@@ -118,7 +119,7 @@ fn the_period_on_the_linear_oscillator_is_that_of_the_recurrence<M>(
     let linear = LinearOscillator::new(pendulum);
     let grid = Grid::new(h, (400.0 * 2.0 * PI / x) as u64).unwrap();
     let mut crossings = CrossingPeriod::default();
-    integrate(&linear, &method, Phase::at_rest(1.0), &grid, &mut crossings);
+    integrate_with(&linear, &method, Phase::at_rest(1.0), &grid, &mut crossings);
     let measured = crossings.period().unwrap() / pendulum.small_angle_period();
     let law = x / recurrence(&pendulum, h).advance;
     assert!((measured - law).abs() < reading(x), "{measured} for {law}");

@@ -20,7 +20,7 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use pendula::fast::{Ensemble, InLanes};
 use pendula::methods::{StormerVerlet, SymplecticEuler};
-use pendula::{Grid, Method, Observer, Pendulum, Phase, Separable, integrate};
+use pendula::{Grid, Method, Observer, Pendulum, Phase, Separable, integrate_with};
 use pendula_study::experiments::standard_map::{PARAMETERS, golden, orbits, step};
 use rstest::rstest;
 
@@ -64,7 +64,7 @@ fn symplectic_euler_is_the_standard_map_to_the_bit(#[values(0.5, 0.95, 1.2, 6.0)
         same += u64::from((z.theta, z.omega * STEP) == image);
     };
     let grid = Grid::new(STEP, 100_000).unwrap();
-    integrate(&pendulum, &SymplecticEuler, start, &grid, &mut watch);
+    integrate_with(&pendulum, &SymplecticEuler, start, &grid, &mut watch);
     assert_eq!(same, grid.samples());
 }
 
@@ -112,7 +112,7 @@ impl Observer<Phase> for Barrier {
 
 fn watch<M: Method<Pendulum>>(method: &M, k: f64, start: Phase, steps: u64) -> Barrier {
     let mut barrier = Barrier::new();
-    integrate(&pendulum(k), method, start, &Grid::new(STEP, steps).unwrap(), &mut barrier);
+    integrate_with(&pendulum(k), method, start, &Grid::new(STEP, steps).unwrap(), &mut barrier);
     barrier
 }
 

@@ -8,7 +8,7 @@ use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, PeakPeriod};
 use pendula::{
     Grid, Hamiltonian, LinearOscillator, Motion, Observer, Pendulum, Phase, integrate,
-    integrate_fast,
+    integrate_fast, integrate_with,
 };
 use rstest::rstest;
 
@@ -90,7 +90,7 @@ fn a_start_from_rest_is_no_peak() {
     let mut last = 0;
     let mut watch = (peak, |n, _, _| last = n);
     let pendulum = Pendulum::PAPER;
-    integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut watch);
+    integrate_with(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut watch);
     peak = watch.0;
     let period = peak.period().expect("five periods");
     // 2.144 s, and forward Euler swings wider and slower.
@@ -98,9 +98,9 @@ fn a_start_from_rest_is_no_peak() {
     assert_eq!(last, grid.steps(), "a closure is never satisfied");
 
     let mut peak = PeakPeriod::default();
-    let end = integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut peak);
+    let end = integrate_with(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &grid, &mut peak);
     let seen = Grid::new(h, (period / h).round() as u64 + 1).unwrap();
-    assert_eq!(end, integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &seen, &mut ()));
+    assert_eq!(end, integrate(&pendulum, &ForwardEuler, Phase::at_rest(1.0), &seen));
 }
 
 /// A cosine of period 2 s, sampled each `h` (s) for 9 s.
@@ -211,7 +211,7 @@ fn the_larger_component_counts() {
 fn a_change_of_the_start_grows(#[case] start: Phase, #[case] t: f64) {
     let pendulum = pendulum();
     let grid = Grid::with_duration(0.01, t).unwrap();
-    let end = |start| integrate_fast(&pendulum, &BlanesMoan6, start, &grid, &mut ());
+    let end = |start| integrate_fast(&pendulum, &BlanesMoan6, start, &grid);
     let (here, there) = (end(start), end(start * (1.0 + 1e-6)));
     let omega = (there.omega - here.omega).abs() / pendulum.small_angle_frequency();
     let growth = (there.theta - here.theta).abs().max(omega) / 1e-6;
@@ -238,7 +238,7 @@ fn rounding_is_what_it_is_taken_for(#[values(64, 256, 1024)] rate: u32) {
     let squares = (0..STARTS).map(|j| {
         let start = Phase::at_rest(0.8 + 1.7 * f64::from(j) / f64::from(STARTS));
         let error = EndError::new(&pendulum(), start, 30.0).unwrap();
-        let end = integrate_fast(&pendulum(), &Taylor24, start, &grid, &mut ());
+        let end = integrate_fast(&pendulum(), &Taylor24, start, &grid);
         let part = error.of(end) / error.rounding(steps);
         assert!(part < 1.0, "{start:?}: {part}");
         part * part

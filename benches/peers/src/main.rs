@@ -196,7 +196,7 @@ where
     Contender::of_steps(name, Kind::Library, steps, move |count, length| {
         let grid = Grid::new(length, count).expect("a positive step");
         let start = CompensatedPhase::from(black_box(Phase::at_rest(theta_0)));
-        integrate(&Compensated::new(Pendulum::PAPER), &method, start, &grid, &mut ()).phase
+        integrate(&Compensated::new(Pendulum::PAPER), &method, start, &grid).phase
     })
 }
 
@@ -206,7 +206,7 @@ fn series(start: Phase, end: f64, tolerance: f64) -> Phase {
     let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
     let (adaptive, system) =
         (Adaptive::new(TaylorSeries, tolerance), Compensated::new(Pendulum::PAPER));
-    let run = adaptive.integrate(&system, CompensatedPhase::from(start), 0.0, end, &mut ());
+    let run = adaptive.integrate(&system, CompensatedPhase::from(start), 0.0, end);
     run.map_or(NOWHERE, |(z, _)| z.phase)
 }
 
@@ -215,7 +215,7 @@ fn of_closure(start: Phase, end: f64, tolerance: f64) -> Phase {
     let Ok(tolerance) = Tolerance::uniform(tolerance) else { return NOWHERE };
     let system =
         FromRate::new(|_t, z: Phase| Phase { theta: z.omega, omega: -9.81 * z.theta.sin() });
-    let run = Adaptive::new(Dop853, tolerance).integrate(&system, start, 0.0, end, &mut ());
+    let run = Adaptive::new(Dop853, tolerance).integrate(&system, start, 0.0, end);
     run.map_or(NOWHERE, |(z, _)| z)
 }
 

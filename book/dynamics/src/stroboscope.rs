@@ -49,7 +49,7 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
         S: System,
         M: Method<S>,
     {
-        integrate(self.system, self.method, z, &self.grid, &mut ())
+        integrate(self.system, self.method, z, &self.grid)
     }
 
     /// A state and its neighbours one period after `z`.
@@ -58,6 +58,6 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
         S: Linearised<State = Phase>,
         M: Method<Variational<'a, S, N>>,
     {
-        integrate(&Variational(self.system), self.method, z, &self.grid, &mut ())
+        integrate(&Variational(self.system), self.method, z, &self.grid)
     }
 }

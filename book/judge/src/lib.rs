@@ -5,27 +5,29 @@
 //! own rounding, which is measured first; and a claim that a measurement is too coarse to tell, or
 //! that was not measured, is said to be so.
 //!
-//! A test of an integrator of one's own:
+//! A test of an integrator of one's own, which is a function for one step:
 //!
 //! ```
-//! use pendula_judge::{Claims, FromFn, judge};
+//! use pendula_judge::{Claims, FromStep, judge};
 //!
-//! // Here stands the integrator: the states (θ, ω) after 1, 2, … n steps of h.
-//! fn symplectic_euler(g_over_l: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<(f64, f64)> {
-//!     let (mut theta, mut omega) = (theta, omega);
-//!     let mut step = || {
-//!         omega -= h * g_over_l * theta.sin();
-//!         theta += h * omega;
-//!         (theta, omega)
-//!     };
-//!     (0..n).map(|_| step()).collect()
+//! // Here stands the integrator; `force(theta)` is the angular acceleration.
+//! fn symplectic_euler(
+//!     force: &dyn Fn(f64) -> f64,
+//!     theta: f64,
+//!     omega: f64,
+//!     h: f64,
+//! ) -> (f64, f64) {
+//!     let omega = omega + h * force(theta);
+//!     (theta + h * omega, omega)
 //! }
 //!
 //! # fn main() {
 //! // And here its test.
-//! judge(&FromFn(symplectic_euler), Claims::order(1).symplectic()).assert();
+//! judge(&FromStep::new(symplectic_euler), Claims::order(1).symplectic()).assert();
 //! # }
 //! ```
+//!
+//! One that computes whole runs is judged by [`FromFn`].
 //!
 //! A method that implements [`Method`](pendula::Method) is judged as it is:
 //!
@@ -83,6 +85,7 @@ mod property;
 pub mod protocol;
 mod solver;
 mod solver_judge;
+mod step_fn;
 mod stranger;
 mod words;
 #[cfg(feature = "zoo")]
@@ -101,6 +104,7 @@ pub use solver::{
 };
 pub use solver_judge::found::{Ended, Ends, Falls, PowerOf, WrongPassage, WrongRows};
 pub use solver_judge::{DrivenCause, OfSolver, SolverCause, judge_solver, try_judge_solver};
+pub use step_fn::FromStep;
 pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 #[doc(hidden)]
 pub use words::{

@@ -188,7 +188,7 @@ impl<M: Controlled<Pendulum>> ByTolerance<M> {
 
     /// It with the tolerance of a request. The absolute tolerance of the library is one number for
     /// all components, here the smaller of those for θ and ω.
-    fn adaptive(&self, pendulum: &Pendulum, tolerance: f64) -> Result<Adaptive<M>, Fault> {
+    fn adaptive(&self, pendulum: &Pendulum, tolerance: f64) -> Result<Adaptive<'static, M>, Fault> {
         let smaller = tolerance * libm::fmin(1.0, pendulum.small_angle_frequency());
         let tolerance = Tolerance::new(smaller, tolerance).map_err(refused)?;
         Ok(Adaptive::new(self.method, tolerance))

@@ -3,7 +3,6 @@
 use core::fmt;
 use core::num::NonZeroU64;
 
-use pendula::registry::ByName;
 use pendula::systems::{Counting, Damped, Driven, Phase, System};
 use pendula::{AnyMethod, Grid, Method, Pendulum, method_named};
 
@@ -79,7 +78,7 @@ impl Request {
 
     /// A fault that says what is allowed, if a number is out of its range. g/L and the drive are
     /// checked by the system.
-    fn check(&self) -> Result<(), Fault> {
+    pub(crate) fn check(&self) -> Result<(), Fault> {
         let Self { start: Phase { theta, omega }, step, steps, every, .. } = *self;
         let why = if !(theta.is_finite() && omega.is_finite()) {
             format!("θ = {theta:?}, ω = {omega:?}: the start must be finite")
@@ -152,7 +151,8 @@ impl core::error::Error for Fault {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be asked for the states that the judge needs",
     note = "a method is judged if it is one for every system: `impl<S: System> Method<S>`",
-    note = "a function of (g/L, θ, ω, h, n) is judged as `FromFn(function)`"
+    note = "a function for one step is judged as `FromStep::new(|force, theta, omega, h| …)`",
+    note = "a function for a whole run, of (g/L, θ, ω, h, n), is judged as `FromFn(function)`"
 )]
 /// An integrator to be judged. Each request starts afresh.
 pub trait Stranger {
@@ -209,9 +209,9 @@ where
 }
 
 /// After a step that has no solution.
-const NOTHING: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
+pub(crate) const NOTHING: Phase = Phase { theta: f64::NAN, omega: f64::NAN };
 
-fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
+pub(crate) fn pendulum(request: &Request) -> Result<Pendulum, Fault> {
     Pendulum::new(request.g_over_l, 1.0, 1.0).map_err(|error| Fault::Refused(error.to_string()))
 }
 
@@ -242,7 +242,7 @@ impl<'a> Chosen<'a> {
 
     /// The method of that [name](pendula::MethodInfo::name).
     pub fn named(name: &str) -> Option<Chosen<'static>> {
-        Some(Chosen { pendulum: method_named(name)?, driven: Driven::method_named(name) })
+        Some(Chosen { pendulum: method_named(name)?, driven: method_named(name) })
     }
 }
 

@@ -79,8 +79,8 @@ pub trait Implicit: Info + Sized {
     ///
     /// let coarse = Gauss6.with(Iteration::TO_ROUNDING.tolerance(1e-6)?);
     /// let (start, grid) = (Phase::at_rest(1.0), Grid::new(0.01, 1)?);
-    /// let end = integrate(&Pendulum::PAPER, &Gauss6, start, &grid, &mut ());
-    /// let near = integrate(&Pendulum::PAPER, &coarse, start, &grid, &mut ());
+    /// let end = integrate(&Pendulum::PAPER, &Gauss6, start, &grid);
+    /// let near = integrate(&Pendulum::PAPER, &coarse, start, &grid);
     /// assert!(end != near && (end.theta - near.theta).abs() < 1e-6);
     /// # Ok::<(), pendula::Error>(())
     /// ```

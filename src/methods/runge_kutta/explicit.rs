@@ -24,7 +24,7 @@ use crate::systems::{RateOf, System};
 /// let truth = Motion::new(&Pendulum::PAPER, start)?.at(1.0);
 /// let error = |step| -> Result<f64, pendula::Error> {
 ///     let grid = Grid::with_duration(step, 1.0)?;
-///     let end = integrate(&Pendulum::PAPER, &kutta, start, &grid, &mut ());
+///     let end = integrate(&Pendulum::PAPER, &kutta, start, &grid);
 ///     Ok((end.theta - truth.theta).abs())
 /// };
 /// // Half the step, an eighth of the error, and what the next power of the step adds.

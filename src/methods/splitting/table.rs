@@ -13,7 +13,7 @@ use crate::systems::Separable;
 /// ```
 /// use pendula::methods::Splitting;
 /// use pendula::metrics::EnergyDrift;
-/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate};
+/// use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate_with};
 ///
 /// /// McLachlan's method of order 2, whose coefficient a makes its error small.
 /// struct McLachlan2;
@@ -28,8 +28,8 @@ use crate::systems::Separable;
 /// let (pendulum, start) = (Pendulum::PAPER, Phase::at_rest(1.0));
 /// let mut drifts = [EnergyDrift::new(&pendulum), EnergyDrift::new(&pendulum)];
 /// let [one, other] = [Grid::with_duration(0.02, 100.0)?, Grid::with_duration(0.01, 100.0)?];
-/// integrate(&pendulum, &McLachlan2, start, &one, &mut drifts[0]);
-/// integrate(&pendulum, &StormerVerlet, start, &other, &mut drifts[1]);
+/// integrate_with(&pendulum, &McLachlan2, start, &one, &mut drifts[0]);
+/// integrate_with(&pendulum, &StormerVerlet, start, &other, &mut drifts[1]);
 /// assert!(drifts[0].largest() < drifts[1].largest());
 /// # Ok::<(), pendula::Error>(())
 /// ```

@@ -54,7 +54,8 @@ fn the_last_step_ends_at_the_end<M: Controlled<Pendulum>>(method: M) {
     for end in [1e-300, 1e-3, 0.7, 5.0, -5.0] {
         let mut times = vec![];
         let mut watch = |n, t, z: Phase| times.push((n, t, z));
-        let (last, counts) = adaptive.integrate(&pendulum, START, 0.0, end, &mut watch).unwrap();
+        let (last, counts) =
+            adaptive.integrate_with(&pendulum, START, 0.0, end, &mut watch).unwrap();
         assert_eq!(times[0], (0, 0.0, START));
         assert_eq!(times.last(), Some(&(counts.accepted, end, last)));
         assert!(times.iter().enumerate().all(|(n, time)| time.0 == n as u64));
@@ -77,10 +78,9 @@ fn nothing_is_asked_beyond_the_end<M: Embedded>(method: M) {
         -4.0 * y
     });
     let adaptive = Adaptive::new(method, tolerance(1e-6));
-    adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1e-3, &mut ()).unwrap();
+    adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1e-3).unwrap();
     assert_eq!(latest.get(), 1e-3);
-    let (_, counts) =
-        adaptive.integrate(&law, Number { y: 1.0 }, 1e6, 1e6_f64.next_up(), &mut ()).unwrap();
+    let (_, counts) = adaptive.integrate(&law, Number { y: 1.0 }, 1e6, 1e6_f64.next_up()).unwrap();
     assert_eq!((counts.accepted, latest.get()), (1, 1e6_f64.next_up()));
 }
 each_pair!(nothing_is_asked_beyond_the_end);
@@ -89,7 +89,8 @@ each_pair!(nothing_is_asked_beyond_the_end);
 fn a_satisfied_observer_ends_the_loop<M: Controlled<Pendulum>>(method: M) {
     let mut watch = First::<10>::default();
     let adaptive = Adaptive::new(method, tolerance(1e-9));
-    let (end, counts) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 5.0, &mut watch).unwrap();
+    let (end, counts) =
+        adaptive.integrate_with(&Pendulum::PAPER, START, 0.0, 5.0, &mut watch).unwrap();
     assert_eq!((watch.0.len(), counts.accepted), (10, 9));
     let ninth = walk(&Pendulum::PAPER, method, 1e-9, 5.0).nth(8).unwrap().unwrap();
     assert_eq!(end, ninth.end());
@@ -123,7 +124,7 @@ fn a_tolerance_that_cannot_be_met_is_refused() {
 fn the_finest_tolerance_can_be_met<M: Controlled<Pendulum>>(method: M) {
     let finest = Tolerance::uniform(SMALLEST_RELATIVE).unwrap();
     let adaptive = Adaptive::new(method, finest);
-    let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0, &mut ()).unwrap();
+    let (end, _) = adaptive.integrate(&Pendulum::PAPER, START, 0.0, 2.0).unwrap();
     let right = Motion::new(&Pendulum::PAPER, START).unwrap().at(2.0);
     // As everywhere here, less than 1000 tolerances.
     assert!((end.theta - right.theta).abs() < 1000.0 * SMALLEST_RELATIVE);
@@ -170,13 +171,13 @@ fn a_rate_that_is_no_number_is_an_error<M: Embedded>(method: M) {
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     for (law, from) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (f64::NAN, 1.0)] {
         let law = Law(move |_, _| law);
-        let end = adaptive.integrate(&law, Number { y: 1.0 }, from, 2.0, &mut ());
+        let end = adaptive.integrate(&law, Number { y: 1.0 }, from, 2.0);
         let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
         assert_eq!(t, from);
     }
     // A rate that becomes NaN on the way is found there.
     let law = Law(|t, _| if t < 1.0 { 1.0 } else { f64::NAN });
-    let end = adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 2.0, &mut ());
+    let end = adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 2.0);
     let Err(Error::StepTooSmall { t, .. }) = end else { panic!("{end:?}") };
     assert!(t < 1.0 && t > 0.999, "{t}");
 }
@@ -188,15 +189,11 @@ fn a_limit_is_kept<M: Controlled<Pendulum>>(method: M) {
     let pendulum = Pendulum::PAPER;
     let adaptive = Adaptive::new(method, tolerance(1e-6));
     let (_, Counts { accepted, rejected, .. }) =
-        adaptive.integrate(&pendulum, START, 0.0, 20.0, &mut ()).unwrap();
+        adaptive.integrate(&pendulum, START, 0.0, 20.0).unwrap();
     let attempts = accepted + rejected;
-    assert!(
-        adaptive.max_attempts(attempts).integrate(&pendulum, START, 0.0, 20.0, &mut ()).is_ok()
-    );
-    let error = adaptive
-        .max_attempts(attempts - 1)
-        .integrate(&pendulum, START, 0.0, 20.0, &mut ())
-        .unwrap_err();
+    assert!(adaptive.max_attempts(attempts).integrate(&pendulum, START, 0.0, 20.0).is_ok());
+    let error =
+        adaptive.max_attempts(attempts - 1).integrate(&pendulum, START, 0.0, 20.0).unwrap_err();
     let Error::OutOfSteps { t, limit } = error else { panic!("{error:?}") };
     assert!(limit == attempts - 1 && t > 15.0 && t < 20.0, "{error}");
     assert!(error.to_string().starts_with(&format!("{limit} steps were not enough")));
@@ -219,7 +216,7 @@ fn a_step_with_an_infinite_rate_is_not_taken<M: Embedded>(method: M) {
             count.set(count.get() + 1);
             if infinite == Some(count.get()) { f64::INFINITY } else { 1.0 }
         });
-        adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1.0, &mut ()).unwrap()
+        adaptive.integrate(&law, Number { y: 1.0 }, 0.0, 1.0).unwrap()
     };
     let (_, undisturbed) = walk(None);
     assert_eq!(undisturbed.rejected, 0);
@@ -253,7 +250,7 @@ fn the_end_of_a_motion_is_told_where_the_rate_is_no_number<M: Embedded>(method: 
         let (past, adaptive) = (random.between(1.0, 3.0), Adaptive::new(method, tolerance(tol)));
         for (law, after_end) in laws {
             let until = past * after_end(x);
-            let walk = adaptive.integrate(&Law(law), Number { y: x }, 0.0, until, &mut ());
+            let walk = adaptive.integrate(&Law(law), Number { y: x }, 0.0, until);
             assert!(matches!(walk, Err(Error::StepTooSmall { .. })), "{n}, {tol:e}: {walk:?}");
         }
     }
@@ -291,7 +288,7 @@ fn a_largest_step_finds_a_pulse<M: Embedded>(method: M) {
     let pulse = Law(|t: f64, _| (-((t - 7.3) / width).powi(2)).exp());
     let adaptive = Adaptive::new(method, tolerance(1e-9));
     let end = |adaptive: Adaptive<M>| {
-        adaptive.integrate(&pulse, Number { y: 1.0 }, 0.0, 10.0, &mut ()).unwrap().0.y
+        adaptive.integrate(&pulse, Number { y: 1.0 }, 0.0, 10.0).unwrap().0.y
     };
     let right = 1.0 + width * PI.sqrt();
     assert_eq!(end(adaptive), 1.0);

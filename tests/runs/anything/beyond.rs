@@ -96,19 +96,19 @@ pub fn systems_beyond(any: &mut Any, tally: &mut Tally) {
         assert!((2.0 * damped.damping()).is_finite());
         damped.power(z);
         damped.kick(z, any.number(), any.number());
-        integrate(&damped, &StormerVerlet, z, &grid, &mut ());
+        integrate(&damped, &StormerVerlet, z, &grid);
     }
     let damped = damped.unwrap_or_else(|| Damped::new(pendulum, 0.0).unwrap());
     if let Some(driven) = tally.accepted(Driven::new(damped, any.number(), any.number())) {
         assert!(driven.period().is_finite() && driven.period() > 0.0, "{driven:?}");
-        integrate(&driven, &Rk4, z, &grid, &mut ());
+        integrate(&driven, &Rk4, z, &grid);
     }
     if let Some(shaken) = tally.accepted(Shaken::new(pendulum, any.number(), any.number())) {
         let mathieu = shaken.mathieu();
         assert!(mathieu.a.is_finite() && mathieu.a <= 0.0, "{shaken:?} {mathieu:?}");
         assert!(mathieu.q.is_finite() && mathieu.q >= 0.0, "{shaken:?} {mathieu:?}");
         assert!(shaken.period().is_finite() && shaken.period() > 0.0, "{shaken:?}");
-        integrate(&shaken, &Gauss6, z, &grid, &mut ());
+        integrate(&shaken, &Gauss6, z, &grid);
     }
     let linear = LinearOscillator::new(pendulum);
     let exact = linear.exact(z, 0.0);
@@ -123,7 +123,7 @@ pub fn systems_beyond(any: &mut Any, tally: &mut Tally) {
         tally.accepted(double.start([one, two], [three, four]));
         let state = DoublePhase { theta1: one, theta2: two, p1: three, p2: four };
         double.energy(state);
-        integrate(&double, &Gauss6, state, &Grid::new(any.positive(), 3).unwrap_or(grid), &mut ());
+        integrate(&double, &Gauss6, state, &Grid::new(any.positive(), 3).unwrap_or(grid));
     }
 }
 

@@ -5,11 +5,11 @@ use std::num::NonZeroU64;
 use pendula::fast::{InLanes, ScaledPendulum};
 use pendula::integrate::Every;
 use pendula::methods::{Gauss6, Implicit, Iteration};
-use pendula::registry::{ByName, InSteps};
+use pendula::registry::InSteps;
 use pendula::systems::CompensatedPhase;
 use pendula::{
     AnyMethod, Compensated, Counting, Driven, Ensemble, Error, Grid, Info, METHODS, Method,
-    Pendulum, Phase, integrate, integrate_fast, method_named,
+    Pendulum, Phase, integrate_fast_with, integrate_with, method_named,
 };
 
 use super::*;
@@ -159,13 +159,13 @@ where
         let case = format!("{pendulum:?} {grid:?} {start:?}");
         let mut watches = [const { Samples(Vec::new()) }; 6];
         let [one, two, three, four, five, six] = &mut watches;
-        let end = integrate_fast(&pendulum, method, start, &grid, one);
+        let end = integrate_fast_with(&pendulum, method, start, &grid, one);
         assert_eq!(bits_of(listed.run(&pendulum, start, &grid, two)), bits_of(end), "{case}");
         let tried = InSteps(*method).try_run(&pendulum, start, &grid, three);
         let listed_tried = listed.try_run(&pendulum, start, &grid, four);
         assert_eq!(format!("{listed_tried:?}"), format!("{tried:?}"), "{case}");
         let counting = Counting::new(pendulum);
-        let typed = pendula::try_integrate(&counting, method, start, &grid, five);
+        let typed = pendula::try_integrate_with(&counting, method, start, &grid, five);
         let listed_in_seconds = in_seconds(listed).try_run(&pendulum, start, &grid, six);
         assert_eq!(format!("{listed_in_seconds:?}"), format!("{typed:?}"), "{case}");
         let counted = in_seconds(listed).count_evaluations(&pendulum, start, &grid);
@@ -184,8 +184,8 @@ fn loops_agree_on_the_time<M: Info + Method<Driven>>(method: &M) {
     let driven = Driven::taylor(1.07).unwrap();
     let (start, grid) = (Phase { theta: -0.4, omega: 1.2 }, Grid::new(0.01, 150).unwrap());
     let (mut seen, mut listed) = (Samples::default(), Samples::default());
-    let end = integrate(&driven, method, start, &grid, &mut seen);
-    let by_name = Driven::method_named(method.info().name).unwrap();
+    let end = integrate_with(&driven, method, start, &grid, &mut seen);
+    let by_name = method_named::<Driven>(method.info().name).unwrap();
     assert_eq!(by_name.try_run(&driven, start, &grid, &mut listed), Ok(end));
     assert_eq!(seen.0, listed.0);
 }

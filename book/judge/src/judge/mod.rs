@@ -391,7 +391,7 @@ impl Judge<'_> {
         // Only of what the library has can the energy be compared.
         let listed = known.as_ref().filter(|known| {
             let own = known.on.is_none() && !known.angles_only;
-            own && pendula::method_named(known.method).is_some()
+            own && pendula::method_named::<pendula::Pendulum>(known.method).is_some()
         });
         let is = |verdict| verdict == Verdict::Holds;
         let loss = loss::measure(

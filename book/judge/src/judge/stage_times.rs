@@ -19,7 +19,7 @@ const DURATION: f64 = 1.7;
 fn truth() -> Phase {
     let driven = driven(pendulum(G_OVER_L), DRIVE).expect("a drive");
     let grid = Grid::new(DURATION / 1024.0, 1024).expect("a positive step");
-    integrate(&driven, &Gauss6, START, &grid, &mut ())
+    integrate(&driven, &Gauss6, START, &grid)
 }
 
 /// What a drive shows.

@@ -476,7 +476,7 @@ fn the_verdict_on_all_claims_is_the_worst(
 #[test]
 fn the_leading_error_is_that_of_theory() {
     for name in ["forward-euler", "symplectic-euler", "stormer-verlet", "rk4"] {
-        let method = method_named(name).unwrap();
+        let method = method_named::<Pendulum>(name).unwrap();
         let stranger = Chosen::named(name).unwrap();
         let law = leading_local_error(name, [1.0, 1.0]).unwrap();
         let probe = Probe::new(&stranger).unwrap();

@@ -42,7 +42,7 @@ pub fn check<M: Method<Pushed> + pendula::Info>(method: &M) -> CheckResult {
     for steps in [8, 16, 32] {
         let h = 1.0 / steps as f64;
         let grid = Grid::new(h, steps).expect("a positive step");
-        let end = integrate(&Pushed, method, Phase::default(), &grid, &mut ());
+        let end = integrate(&Pushed, method, Phase::default(), &grid);
         let rounding = steps as f64 * f64::EPSILON / 24.0;
         let tolerance = (0.5 * libm::pow(h, order)).max(rounding);
         near(format_args!("ω with h = {h}"), end.omega, 1.0 / 24.0, tolerance)?;
@@ -59,7 +59,7 @@ pub fn check_euler<M: Method<Pushed>>(method: &M) -> CheckResult {
     let h = 0.0625;
     for steps in [1, 2, 5, 16] {
         let grid = Grid::new(h, steps).expect("a positive step");
-        let end = integrate(&Pushed, method, Phase::default(), &grid, &mut ());
+        let end = integrate(&Pushed, method, Phase::default(), &grid);
         let n = steps as f64;
         let pairs = n * (n - 1.0) / 2.0;
         let sum = h * h * h * h * pairs * pairs / 6.0;

@@ -247,7 +247,7 @@ fn exact() -> Measured<[Phase; KNOTS + 1]> {
     let mut states = [Phase { theta: START[0], omega: START[1] }; KNOTS + 1];
     for k in 0..KNOTS {
         let [from, until] = [k, k + 1].map(|knot| APART * knot as f64);
-        let end = adaptive.integrate(&driven, states[k], from, until, &mut ());
+        let end = adaptive.integrate(&driven, states[k], from, until);
         states[k + 1] = end.map_err(|error| unknown(&error))?.0;
     }
     Ok(states)

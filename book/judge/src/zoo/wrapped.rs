@@ -91,15 +91,9 @@ macro_rules! spoilt_loop {
         }
 
         impl<M: AnyMethod> AnyMethod for $name<M> {
-            fn begin_at(
-                &self,
-                pendulum: &Pendulum,
-                z: Phase,
-                $grid: &Grid,
-                steps: u64,
-            ) -> Run<'_, Phase> {
+            fn begin(&self, pendulum: &Pendulum, start: Phase, $grid: &Grid) -> Run<'_, Phase> {
                 let along = $along;
-                self.0.begin_at(pendulum, z, &along.expect("a grid"), steps)
+                self.0.begin(pendulum, start, &along.expect("a grid"))
             }
 
             fn count_evaluations(&self, pendulum: &Pendulum, start: Phase, grid: &Grid) -> u64 {

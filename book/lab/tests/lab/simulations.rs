@@ -6,7 +6,7 @@ use pendula::registry::ByName;
 use pendula::systems::{DoublePhase, Driven, Joint, Shaken};
 use pendula::{
     AnyMethod, Damped, DoublePendulum, Grid, Hamiltonian, METHODS, MethodInfo, Motion, Observer,
-    Pendulum, Phase,
+    Pendulum, Phase, method_named,
 };
 
 use crate::labs::{Lab, STALE, assert_bits, labs, quantity};
@@ -271,7 +271,7 @@ fn run_on<S: ByName>(
     (start, grid): (S::State, &Grid),
     mut beside: Beside<'_, impl Fn(S::State) -> Seen>,
 ) -> Option<Option<u64>> {
-    let mut run = S::method_named(info.name)?.begin(system, start, grid);
+    let mut run = method_named::<S>(info.name)?.begin(system, start, grid);
     beside.observe(0, 0.0, start);
     let solved = run.advance(u64::MAX, NonZeroU64::MIN, &mut beside);
     Some(solved.ok().map(|_| run.evaluations()))

@@ -6,8 +6,7 @@ use std::io::{self, BufRead, Write};
 use clap::Args;
 use pendula::adaptive::TaylorSeries;
 use pendula::methods::{Dop853, DormandPrince};
-use pendula::registry::ByName;
-use pendula::{AnyMethod, Driven, Info, method_named};
+use pendula::{AnyMethod, Info, method_named};
 use pendula_judge::protocol::{Question, question};
 use pendula_judge::{ByTolerance, Chosen, Crossings, Fault, Reply, Solver, Stranger};
 
@@ -84,7 +83,7 @@ impl Served {
     /// The method as a stranger: with a drive if it suits the driven pendulum.
     fn stranger(&self) -> Result<Chosen<'static>, Fault> {
         let pendulum = self.method.ok_or(Fault::Unsupported)?;
-        Ok(Chosen { pendulum, driven: Driven::method_named(self.name) })
+        Ok(Chosen { pendulum, driven: method_named(self.name) })
     }
 
     fn solver(&self) -> Result<&dyn Solver, Fault> {

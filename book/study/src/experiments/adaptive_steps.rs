@@ -3,7 +3,7 @@
 
 use pendula::adaptive::SymmetricSteps;
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, Hamiltonian, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Separable, integrate_with};
 use pendula_dynamics::kepler::{Kepler, Planar, PlanePhase};
 
 /// Revolutions of the planet.
@@ -109,7 +109,7 @@ fn equal(steps: u64) -> Run {
     let mut watch = Watch::new();
     let (centre, start) = (watch.centre, watch.start);
     let grid = Grid::new(watch.duration() / steps as f64, steps).expect("a positive step");
-    integrate(&centre, &StormerVerlet, start, &grid, &mut |_: u64, t: f64, z| watch.see(t, z));
+    integrate_with(&centre, &StormerVerlet, start, &grid, &mut |_: u64, t: f64, z| watch.see(t, z));
     watch.end()
 }
 

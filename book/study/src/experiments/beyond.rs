@@ -9,7 +9,7 @@ use core::f64::consts::{PI, SQRT_2};
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula::metrics::CrossingPeriod;
 use pendula::systems::{DoublePendulum, DoublePhase, Driven, Joint, Mathieu, Shaken};
-use pendula::{Grid, Observer, Pendulum, Phase, integrate};
+use pendula::{Grid, Observer, Pendulum, Phase, integrate_with};
 use pendula_dynamics::floquet::{PeriodicOrbit, contraction, monodromy};
 use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use pendula_dynamics::lyapunov::Watch;
@@ -161,9 +161,15 @@ pub fn farthest(shaken: &Shaken) -> f64 {
     let step = shaken.period() / 100.0;
     let grid = Grid::new(step, (30.0 / step) as u64).expect("a positive step");
     let mut farthest = 0.0_f64;
-    integrate(shaken, &StormerVerlet, Phase::at_rest(PI - 0.05), &grid, &mut |_, _, z: Phase| {
-        farthest = farthest.max((z.theta - PI).abs());
-    });
+    integrate_with(
+        shaken,
+        &StormerVerlet,
+        Phase::at_rest(PI - 0.05),
+        &grid,
+        &mut |_, _, z: Phase| {
+            farthest = farthest.max((z.theta - PI).abs());
+        },
+    );
     farthest
 }
 
@@ -203,7 +209,7 @@ pub fn swing_frequency(double: &DoublePendulum, theta1: f64, shape: f64) -> Opti
     let start = double.start([theta1, theta1 * shape], [0.0; 2]).ok()?;
     let grid = Grid::new(0.001, 20_000).ok()?;
     let mut period = CrossingPeriod::default();
-    integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
+    integrate_with(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
         let [omega, _] = double.velocities(z);
         period.observe(n, t, Phase { theta: z.theta1, omega });
     });
@@ -243,7 +249,7 @@ pub fn path(
     let grid = Grid::new(step, steps).expect("a positive step");
     let start = double.start(theta, [0.0; 2]).expect("finite angles");
     let mut path = Vec::new();
-    integrate(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
+    integrate_with(double, &Rk4, start, &grid, &mut |n, t, z: DoublePhase| {
         if n % 10 == 0 {
             path.push((t, z));
         }
@@ -264,7 +270,7 @@ pub fn precession(centre: &Kepler, ellipse: &Ellipse, steps: u64) -> f64 {
     let mut apocentres = Vec::new();
     // r · v at the sample before.
     let mut before = 0.0;
-    integrate(centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut |_, _, z: PlanePhase| {
+    integrate_with(centre, &StormerVerlet, ellipse.at(0.0), &grid, &mut |_, _, z: PlanePhase| {
         let receding = z.x * z.vx + z.y * z.vy;
         if before > 0.0 && receding <= 0.0 {
             let towards = centre.eccentricity(z);
@@ -288,7 +294,7 @@ pub fn turning(
     let grid = Grid::new(period / steps as f64, steps * revolutions).expect("a positive step");
     let mut states = Vec::new();
     let start = ellipse.at(0.5 * period);
-    integrate(centre, &StormerVerlet, start, &grid, &mut |_, _, z| states.push(z));
+    integrate_with(centre, &StormerVerlet, start, &grid, &mut |_, _, z| states.push(z));
     states
 }
 

@@ -7,7 +7,9 @@ use pendula::methods::{DormandPrince, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::order::slopes;
 use pendula::metrics::{AngleError, EnergyDrift};
 use pendula::systems::{Components, Damped, Hamiltonian, Separable, System};
-use pendula::{AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate};
+use pendula::{
+    AnyMethod, Grid, Info, LinearOscillator, Method, Pendulum, Phase, integrate, integrate_with,
+};
 use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 
 use crate::experiments::{grid, largest_energy_error, standard_map};
@@ -127,7 +129,7 @@ pub fn energy_error_of_a_fall(step: f64) -> f64 {
     let kepler = Kepler::new(1.0).expect("a positive attraction");
     let start = PlanePhase { x: 1.0, ..PlanePhase::default() };
     let mut drift = EnergyDrift::new(&kepler);
-    integrate(&kepler, &StormerVerlet, start, &grid(2.0, step), &mut drift);
+    integrate_with(&kepler, &StormerVerlet, start, &grid(2.0, step), &mut drift);
     drift.largest()
 }
 
@@ -171,7 +173,7 @@ pub fn growth_on_a_falling_stone(step: f64) -> f64 {
     let [short, long] = [10.0, 1000.0].map(|duration| {
         let mut drift = EnergyDrift::new(&FallingStone);
         let start = Phase::default();
-        integrate(&FallingStone, &SymplecticEuler, start, &grid(duration, step), &mut drift);
+        integrate_with(&FallingStone, &SymplecticEuler, start, &grid(duration, step), &mut drift);
         drift.largest()
     });
     long / short
@@ -200,7 +202,7 @@ pub fn verlet_over_rk4_damped() -> [f64; 2] {
         let damped = Damped::new(PENDULUM, rate).expect("a rate in range");
         let fine = Grid::new(10.0 / 40_000.0, 40_000).expect("a positive step");
         let mut truth = Vec::new();
-        integrate(&damped, &Rk4, Phase::at_rest(1.0), &fine, &mut |_, _, z: Phase| {
+        integrate_with(&damped, &Rk4, Phase::at_rest(1.0), &fine, &mut |_, _, z: Phase| {
             truth.push(z.theta)
         });
         let verlet = error_against(&truth, &damped, &StormerVerlet, 400);
@@ -214,7 +216,7 @@ fn error_against(truth: &[f64], damped: &Damped, method: &impl Method<Damped>, s
     let a_second = 0.1 * (truth.len() - 1) as f64;
     let grid = Grid::new(10.0 / steps as f64, steps).expect("a positive step");
     let mut error = AngleError::new(|t| truth[libm::round(t * a_second) as usize]);
-    integrate(damped, method, Phase::at_rest(1.0), &grid, &mut error);
+    integrate_with(damped, method, Phase::at_rest(1.0), &grid, &mut error);
     error.root_mean_square()
 }
 
@@ -232,8 +234,8 @@ where
     let tolerance = Tolerance::uniform(tolerance).expect("a tolerance in range");
     let adaptive = Adaptive::new(DormandPrince, tolerance);
     let (last, counts) =
-        adaptive.integrate(system, start, 0.0, end, &mut ()).expect("a tolerance that can be met");
+        adaptive.integrate(system, start, 0.0, end).expect("a tolerance that can be met");
     let steps = counts.evaluations / DormandPrince.info().force_evaluations;
     let grid = Grid::new(end / steps as f64, steps).expect("a positive step");
-    error(last) / error(integrate(system, &DormandPrince, start, &grid, &mut ()))
+    error(last) / error(integrate(system, &DormandPrince, start, &grid))
 }

@@ -25,8 +25,8 @@ pub mod tolerance;
 pub mod truncation;
 pub mod work;
 
+use pendula::internals::in_seconds;
 use pendula::metrics::EnergyDrift;
-use pendula::registry::in_seconds;
 use pendula::{AnyMethod, Grid, Hamiltonian, METHODS, Pendulum, Phase, method_named};
 pub use pendula_dynamics::{parts, shapes};
 
@@ -130,7 +130,10 @@ impl PaperMethod {
 
     /// Its title in tables.
     pub fn title(self) -> &'static str {
-        method_named(self.name()).expect("the library has the paper's methods").info().title
+        method_named::<Pendulum>(self.name())
+            .expect("the library has the paper's methods")
+            .info()
+            .title
     }
 }
 

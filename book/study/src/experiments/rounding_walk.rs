@@ -7,7 +7,7 @@
 use std::sync::LazyLock;
 
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, Pendulum, Phase, integrate_fast};
+use pendula::{Grid, Pendulum, Phase, integrate_fast_with};
 
 use crate::theory::Dimensionless;
 use crate::theory::stormer_verlet::correction;
@@ -44,11 +44,17 @@ fn walk(theta_0: f64) -> Walk {
     let initial = energy(start);
     let mut walk = Vec::with_capacity((STEPS / SAMPLED + 1) as usize);
     let grid = Grid::new(STEP, STEPS).expect("a positive step");
-    integrate_fast(&pendulum, &StormerVerlet, start, &grid, &mut |n: u64, _: f64, z: Phase| {
-        if n.is_multiple_of(SAMPLED) {
-            walk.push(energy(z) / initial - 1.0);
-        }
-    });
+    integrate_fast_with(
+        &pendulum,
+        &StormerVerlet,
+        start,
+        &grid,
+        &mut |n: u64, _: f64, z: Phase| {
+            if n.is_multiple_of(SAMPLED) {
+                walk.push(energy(z) / initial - 1.0);
+            }
+        },
+    );
     walk
 }
 

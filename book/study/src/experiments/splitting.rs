@@ -139,7 +139,7 @@ pub fn slope(x: f64) -> f64 {
             q: distance * direction[1],
             beside: direction,
         };
-        integrate(&Precise, &StormerVerlet, start, &grid, &mut ())
+        integrate(&Precise, &StormerVerlet, start, &grid)
     };
     // Newton's iteration doubles the digits.
     for _ in 0..7 {

@@ -7,7 +7,7 @@
 use core::f64::consts::{PI, TAU};
 
 use pendula::methods::SymplecticEuler;
-use pendula::{Grid, Pendulum, Phase, integrate_fast};
+use pendula::{Grid, Pendulum, Phase, integrate_fast, integrate_fast_with};
 
 /// The parameters K of the portraits: well below the last barrier at 0.971635, just below it, above
 /// it, and far above.
@@ -50,7 +50,7 @@ pub fn golden(k: f64) -> Orbit {
     for _ in 0..32 {
         let u = 0.5 * (slow + fast);
         let start = Phase { theta: 0.0, omega: u / step(k) };
-        let end = integrate_fast(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut ());
+        let end = integrate_fast(&Pendulum::PAPER, &SymplecticEuler, start, &grid);
         *(if end.theta < wanted { &mut slow } else { &mut fast }) = u;
     }
     // The points of a golden-mean orbit are spaced most evenly when their number is a Fibonacci
@@ -87,7 +87,7 @@ fn orbit(k: f64, (theta, u): (f64, f64), kept: impl Fn(u64) -> bool) -> Orbit {
             orbit.points.push((folded(z.theta), folded(u)));
         }
     };
-    integrate_fast(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut keep);
+    integrate_fast_with(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut keep);
     orbit
 }
 

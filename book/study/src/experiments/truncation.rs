@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::exact::complete_elliptic_k;
 use pendula::methods::StormerVerlet;
-use pendula::{Grid, integrate};
+use pendula::{Grid, integrate_with};
 
 use super::splitting::{self, Point, Precise, sine_cosine};
 use crate::theory::ModifiedSeries;
@@ -45,7 +45,7 @@ pub fn errors(theta_0: f64, x: f64) -> Vec<f64> {
     let initial = sums(start);
     let mut largest = vec![0.0_f64; initial.len()];
     let grid = Grid::new(x, (DURATION / x) as u64).expect("a positive step");
-    integrate(&Precise, &StormerVerlet, start, &grid, &mut |_: u64, _: f64, z: Point| {
+    integrate_with(&Precise, &StormerVerlet, start, &grid, &mut |_: u64, _: f64, z: Point| {
         for (largest, (sum, initial)) in largest.iter_mut().zip(sums(z).iter().zip(&initial)) {
             *largest = largest.max((*sum - *initial).rounded().abs());
         }

@@ -43,7 +43,7 @@ fn powers() -> [f64; 2] {
         // In proportion to the distance to the power 3/2.
         let h = first * libm::pow(square(z) / square(start), 0.75);
         let step = Grid::new(h, 1).expect("a positive step");
-        Some((t + h, integrate(&sun, &StormerVerlet, z, &step, &mut ())))
+        Some((t + h, integrate(&sun, &StormerVerlet, z, &step)))
     });
     let symmetric = SymmetricSteps::new(&sun, start, first, kappa).expect("a first step");
     let symmetric = symmetric.map(|sample| sample.map(|sample| (sample.t, sample.z)));

@@ -5,7 +5,7 @@ use pendula::exact::{Motion, period};
 use pendula::integrate::Observer;
 use pendula::methods::{ForwardEuler, Info, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::{AngleError, EnergyDrift};
-use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate, integrate_with};
 use pendula_dynamics::kepler::{Ellipse, Kepler};
 
 use super::{Compute, Truth, Within};
@@ -100,7 +100,7 @@ fn energy_off() -> Truth {
             (largest, place) = (off, z.theta.abs());
         }
     };
-    integrate(&PENDULUM, &SymplecticEuler, released, &grid(0.001, 10_000), &mut watch);
+    integrate_with(&PENDULUM, &SymplecticEuler, released, &grid(0.001, 10_000), &mut watch);
     Truth::Which(vec![
         ("bottom", place < 0.2),
         ("between", (0.2..0.8).contains(&place)),
@@ -116,7 +116,7 @@ fn kick_back() -> Truth {
         let h = 5.0 / steps as f64;
         let mut error = AngleError::new(|t| truth.at(t).theta);
         let start = kicked(released, -0.5 * h);
-        integrate(&PENDULUM, &SymplecticEuler, start, &grid(h, steps), &mut error);
+        integrate_with(&PENDULUM, &SymplecticEuler, start, &grid(h, steps), &mut error);
         error.largest()
     };
     let order = libm::log2(error(500) / error(1000));
@@ -134,7 +134,7 @@ fn thousand_times() -> Truth {
     let (released, swing) = (Phase::at_rest(1.0), period(&PENDULUM, 1.0).expect("it swings"));
     let lost = |swings: u64, steps_a_swing: u64| {
         let grid = grid(swing / steps_a_swing as f64, swings * steps_a_swing);
-        let end = integrate(&PENDULUM, &Rk4, released, &grid, &mut ());
+        let end = integrate(&PENDULUM, &Rk4, released, &grid);
         PENDULUM.energy(released) - PENDULUM.energy(end)
     };
     // The powers of the time and of the step.
@@ -176,7 +176,7 @@ fn found(changed: Option<Measuring>) -> f64 {
             let off = libm::hypot(off.theta, off.omega);
             error = if changed == Some(Measuring::Error) { off } else { f64::max(error, off) };
         };
-        integrate(&PENDULUM, &StormerVerlet, released, &grid(h, steps), &mut watch);
+        integrate_with(&PENDULUM, &StormerVerlet, released, &grid(h, steps), &mut watch);
         error
     });
     let ratio = errors[0] / errors[1];
@@ -210,7 +210,7 @@ fn errors(method: &impl Method<Pendulum>, start: Phase) -> [[f64; 2]; 2] {
             tenth = [energies.largest(), angle];
         }
     };
-    integrate(&PENDULUM, method, start, &grid(0.01, 100_000), &mut watch);
+    integrate_with(&PENDULUM, method, start, &grid(0.01, 100_000), &mut watch);
     [tenth, [energies.largest(), angle]]
 }
 
@@ -262,7 +262,7 @@ fn twice_as_high() -> Truth {
         let error = |steps: u64| {
             let mut error = AngleError::new(|t: f64| theta_0 * cos(frequency * t));
             let grid = grid(10.0 / steps as f64, steps);
-            integrate(&PENDULUM, &StormerVerlet, Phase::at_rest(theta_0), &grid, &mut error);
+            integrate_with(&PENDULUM, &StormerVerlet, Phase::at_rest(theta_0), &grid, &mut error);
             error.root_mean_square()
         };
         let (mut few, mut many) = (100_u64, 1000);
@@ -285,7 +285,7 @@ fn twice_as_high() -> Truth {
 fn dies_away() -> Truth {
     fn dies(method: &impl Method<Pendulum>) -> bool {
         let released = Phase::at_rest(1e-6);
-        let end = integrate(&PENDULUM, method, released, &grid(0.7, 10), &mut ());
+        let end = integrate(&PENDULUM, method, released, &grid(0.7, 10));
         PENDULUM.energy(end) < 0.1 * PENDULUM.energy(released)
     }
     let [euler, verlet, rk4] = [dies(&ForwardEuler), dies(&StormerVerlet), dies(&Rk4)];
@@ -333,7 +333,7 @@ fn ellipse() -> Truth {
         largest = core::array::from_fn(|i| f64::max(largest[i], off[i].abs()));
     };
     let run = grid(ellipse.period() / 100.0, 10_000);
-    integrate(&centre, &StormerVerlet, start, &run, &mut watch);
+    integrate_with(&centre, &StormerVerlet, start, &run, &mut watch);
     let [momentum, energy, direction] = largest;
     Truth::ascending(vec![("momentum", momentum), ("energy", energy), ("direction", direction)])
 }
@@ -345,7 +345,13 @@ fn allowance() -> Truth {
     const LONGER: f64 = 10.0;
     let largest = |step: f64, steps: u64| {
         let mut drift = EnergyDrift::new(&PENDULUM);
-        integrate(&PENDULUM, &StormerVerlet, Phase::at_rest(1.0), &grid(step, steps), &mut drift);
+        integrate_with(
+            &PENDULUM,
+            &StormerVerlet,
+            Phase::at_rest(1.0),
+            &grid(step, steps),
+            &mut drift,
+        );
         drift.largest()
     };
     // The powers of the step and of the time.

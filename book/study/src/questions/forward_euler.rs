@@ -3,7 +3,9 @@
 use core::f64::consts::E;
 
 use pendula::metrics::AngleError;
-use pendula::{ForwardEuler, Grid, Hamiltonian, Motion, Pendulum, Phase, integrate};
+use pendula::{
+    ForwardEuler, Grid, Hamiltonian, Motion, Pendulum, Phase, integrate, integrate_with,
+};
 
 use super::{Compute, Truth, Within};
 
@@ -27,7 +29,7 @@ fn time_to(factor: f64) -> f64 {
         }
     };
     let grid = Grid::with_duration(0.01, 30.0).expect("a grid");
-    integrate(&PENDULUM, &ForwardEuler, released, &grid, &mut watch);
+    integrate_with(&PENDULUM, &ForwardEuler, released, &grid, &mut watch);
     reached.expect("it grows")
 }
 
@@ -54,7 +56,7 @@ fn gain(start: Phase) -> f64 {
     let one_step = Grid::new(1e-3, 1).expect("a grid");
     let gained = |n: u32| {
         let z = motion.at(period * f64::from(n) / f64::from(POINTS));
-        let end = integrate(&PENDULUM, &ForwardEuler, z, &one_step, &mut ());
+        let end = integrate(&PENDULUM, &ForwardEuler, z, &one_step);
         PENDULUM.energy(end) - PENDULUM.energy(z)
     };
     (0..POINTS).map(gained).sum::<f64>() / f64::from(POINTS)
@@ -77,7 +79,7 @@ fn half_the_step() -> Truth {
     let error = |step: f64| {
         let mut error = AngleError::new(|t| motion.at(t).theta);
         let grid = Grid::with_duration(step, 1.0).expect("a grid");
-        integrate(&PENDULUM, &ForwardEuler, start, &grid, &mut error);
+        integrate_with(&PENDULUM, &ForwardEuler, start, &grid, &mut error);
         error.largest()
     };
     let factor = error(2e-3) / error(1e-3);

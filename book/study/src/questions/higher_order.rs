@@ -3,7 +3,7 @@
 use pendula::exact::period;
 use pendula::methods::BlanesMoan6;
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, Motion, Pendulum, Phase, Separable, integrate, method_named};
+use pendula::{Grid, Motion, Pendulum, Phase, Separable, integrate_with, method_named};
 
 use super::{Compute, Truth};
 use crate::experiments::work::error;
@@ -74,7 +74,7 @@ fn grows(steps_a_swing: u64) -> bool {
     let largest = |swings: u64| {
         let grid = Grid::new(swing / steps_a_swing as f64, swings * steps_a_swing);
         let mut drift = EnergyDrift::new(&PENDULUM);
-        integrate(&PENDULUM, &BlanesMoan6, released, &grid.expect("a grid"), &mut drift);
+        integrate_with(&PENDULUM, &BlanesMoan6, released, &grid.expect("a grid"), &mut drift);
         drift.largest()
     };
     largest(1000) > 2.0 * largest(20)

@@ -2,7 +2,9 @@
 
 use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::arithmetic::sine::sin;
-use pendula::{ForwardEuler, Grid, Hamiltonian, Pendulum, Phase, SymplecticEuler, integrate};
+use pendula::{
+    ForwardEuler, Grid, Hamiltonian, Pendulum, Phase, SymplecticEuler, integrate, integrate_with,
+};
 
 use super::{Compute, Truth};
 use crate::experiments::splitting::sine_cosine;
@@ -25,7 +27,7 @@ fn energy_printed() -> Truth {
         }
     };
     let grid = Grid::new(STEP, 100_000).expect("a grid");
-    integrate(&PENDULUM, &ForwardEuler, RELEASED, &grid, &mut print);
+    integrate_with(&PENDULUM, &ForwardEuler, RELEASED, &grid, &mut print);
     let start = printed[0];
     // In the three decimals of the program.
     let is_same = printed.iter().all(|energy| (energy - start).abs() < 5e-4);
@@ -75,6 +77,6 @@ fn one_change() -> Truth {
         ("step", ends(run(50_000, forward(STEP / 10.0, sin)))),
         ("digits", ends(in_double_double())),
         ("sine", ends(run(5_000, forward(STEP, |theta| theta)))),
-        ("new", ends(integrate(&PENDULUM, &SymplecticEuler, RELEASED, &grid, &mut ()))),
+        ("new", ends(integrate(&PENDULUM, &SymplecticEuler, RELEASED, &grid))),
     ])
 }

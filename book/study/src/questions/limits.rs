@@ -23,7 +23,7 @@ fn longest_step() -> Truth {
     let swings = |step: f64| {
         let grid = Grid::new(step, 1000).expect("a positive step");
         let oscillator = LinearOscillator::new(pendulum);
-        let end = integrate(&oscillator, &StormerVerlet, Phase::at_rest(1.0), &grid, &mut ());
+        let end = integrate(&oscillator, &StormerVerlet, Phase::at_rest(1.0), &grid);
         end.theta.abs() < 2.0
     };
     let swing = pendulum.small_angle_period();
@@ -55,7 +55,7 @@ fn typical(steps: u64) -> f64 {
     let grid = Grid::new(standard_map::step(5.0), steps).expect("a positive step");
     let squares = (1..=STARTS).map(|j| {
         let start = Phase::at_rest(PI - 1e-3 * f64::from(j));
-        let end = integrate(&Pendulum::PAPER, &SymplecticEuler, start, &grid, &mut ());
+        let end = integrate(&Pendulum::PAPER, &SymplecticEuler, start, &grid);
         end.omega * end.omega
     });
     libm::sqrt(squares.sum::<f64>() / f64::from(STARTS))

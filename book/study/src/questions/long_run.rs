@@ -1,7 +1,7 @@
 //! Questions of "A thousand seconds".
 
 use pendula::methods::{ForwardEuler, Projected, Rk4, StormerVerlet};
-use pendula::{Grid, Hamiltonian, Method, Motion, Pendulum, Phase, integrate};
+use pendula::{Grid, Hamiltonian, Method, Motion, Pendulum, Phase, integrate_with};
 
 use super::{Compute, Truth};
 use crate::experiments::PaperMethod;
@@ -52,7 +52,7 @@ fn angle_error(method: &impl Method<Pendulum>) -> f64 {
     let motion = Motion::new(&Pendulum::PAPER, start).expect("a finite start");
     let grid = Grid::with_duration(STEP, 10.0).expect("a whole number of steps");
     let mut largest = 0.0_f64;
-    integrate(&Pendulum::PAPER, method, start, &grid, &mut |_, t: f64, z: Phase| {
+    integrate_with(&Pendulum::PAPER, method, start, &grid, &mut |_, t: f64, z: Phase| {
         largest = largest.max((z.theta - motion.at(t).theta).abs());
     });
     largest

@@ -3,7 +3,7 @@
 use pendula::exact::{Motion, period};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler};
 use pendula::systems::Damped;
-use pendula::{Grid, Pendulum, Phase, integrate};
+use pendula::{Grid, Pendulum, Phase, integrate, integrate_with};
 
 use super::{Compute, Truth, Within};
 use crate::experiments::{STEPS, convergence};
@@ -27,7 +27,7 @@ fn whole_swing() -> Truth {
             last = libm::hypot(off.theta, off.omega / pendulum.small_angle_frequency());
             largest = f64::max(largest, last);
         };
-        integrate(&pendulum, &SymplecticEuler, released, &grid, &mut watch);
+        integrate_with(&pendulum, &SymplecticEuler, released, &grid, &mut watch);
         [largest, last]
     };
     let [largest, whole] = [0, 1].map(|which| errors(1.0, 500)[which] / errors(1.0, 1000)[which]);
@@ -55,9 +55,9 @@ fn change() -> Truth {
     let damped = Damped::new(Pendulum::PAPER, 0.1).expect("a damping");
     let grid = |steps: u64| Grid::new(10.0 / steps as f64, steps).expect("a grid");
     let released = Phase::at_rest(1.0);
-    let truth = integrate(&damped, &Rk4, released, &grid(8000), &mut ()).theta;
-    let [old, new] = [1000, 2000]
-        .map(|steps| integrate(&damped, &StormerVerlet, released, &grid(steps), &mut ()).theta);
+    let truth = integrate(&damped, &Rk4, released, &grid(8000)).theta;
+    let [old, new] =
+        [1000, 2000].map(|steps| integrate(&damped, &StormerVerlet, released, &grid(steps)).theta);
     let factor = (old - truth) / (new - truth);
     Truth::Number {
         right: CHANGE * (new - truth) / (old - new),

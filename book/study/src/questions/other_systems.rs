@@ -16,7 +16,7 @@ fn off(method: &impl Method<Kepler>) -> [f64; 2] {
     let ellipse = Ellipse::new(&centre, 1.0, 0.6).expect("an ellipse");
     let (start, step) = (ellipse.at(0.0), ellipse.period() / 100.0);
     let grid = Grid::new(step, 1000).expect("a positive step");
-    let end = integrate(&centre, method, start, &grid, &mut ());
+    let end = integrate(&centre, method, start, &grid);
     let energy = centre.energy(end) / centre.energy(start) - 1.0;
     let momentum = centre.angular_momentum(end) / centre.angular_momentum(start) - 1.0;
     [energy.abs(), momentum.abs()]

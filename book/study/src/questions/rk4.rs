@@ -54,7 +54,7 @@ fn wrong_slope() -> Truth {
         weights: [1.0 / 6.0, 2.0 / 6.0, 2.0 / 6.0, 1.0 / 6.0],
     };
     let swing = Motion::new(&PENDULUM, Phase::at_rest(1.0)).expect("a finite start").at(2.0).theta;
-    let clock = FromRate::new(|t, _| Phase { theta: cos(t), omega: 0.0 });
+    let clock = FromRate::new(|t, _: Phase| Phase { theta: cos(t), omega: 0.0 });
     let is = |order: f64, expected: f64| (order - expected).abs() < 0.1;
     let is_as_told =
         is(PROGRAM.order(&clock, 1.0 + sin(2.0)), 4.0) && is(PROGRAM.order(&PENDULUM, swing), 3.0);
@@ -77,7 +77,7 @@ fn lost(steps_a_swing: u64) -> f64 {
     let released = Phase::at_rest(2.0);
     let swing = period(&PENDULUM, 2.0).expect("it swings");
     let grid = Grid::new(swing / steps_a_swing as f64, 10 * steps_a_swing).expect("a grid");
-    let end = integrate(&PENDULUM, &Rk4, released, &grid, &mut ());
+    let end = integrate(&PENDULUM, &Rk4, released, &grid);
     PENDULUM.energy(released) - PENDULUM.energy(end)
 }
 

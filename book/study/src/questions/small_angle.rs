@@ -3,7 +3,7 @@
 use pendula::exact::{Motion, period};
 use pendula::methods::Rk4;
 use pendula::metrics::PeakPeriod;
-use pendula::{Observer, Pendulum, Phase, integrate, method_named};
+use pendula::{Observer, Pendulum, Phase, integrate_with, method_named};
 
 use super::{Compute, Truth, Within};
 use crate::experiments::{grid, large_angle, small_angle};
@@ -79,7 +79,7 @@ fn misread(step: f64, mended: Mended) -> f64 {
         }
     };
     let run = grid(large_angle::DURATION, step);
-    integrate(&pendulum, &Rk4, start, &run, &mut read);
+    integrate_with(&pendulum, &Rk4, start, &run, &mut read);
     let between = crossings[crossings.len() - 1] - crossings[0];
     let count = crossings.len() - usize::from(mended == Mended::Mean);
     let exact = period(&pendulum, large_angle::THETA_0).expect("a finite angle");

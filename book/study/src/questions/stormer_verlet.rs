@@ -4,7 +4,7 @@ use pendula::exact::{Motion, period};
 use pendula::methods::StormerVerlet;
 use pendula::metrics::CrossingPeriod;
 use pendula::systems::Counting;
-use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate};
+use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase, Separable, integrate, integrate_with};
 
 use super::{Compute, Truth, Within};
 
@@ -37,7 +37,7 @@ fn cost() -> Truth {
     fn counted(method: &impl Method<Counting<Pendulum>>) -> f64 {
         let pendulum = Counting::new(PENDULUM);
         let grid = Grid::new(0.01, 1000).expect("a grid");
-        integrate(&pendulum, method, Phase::at_rest(1.0), &grid, &mut ());
+        integrate(&pendulum, method, Phase::at_rest(1.0), &grid);
         pendulum.evaluations() as f64
     }
     Truth::Number {
@@ -57,7 +57,7 @@ fn period_of_a_small_swing() -> Truth {
     let h = X / PENDULUM.small_angle_frequency();
     let grid = Grid::new(h, (50.0 * exact / h) as u64).expect("a grid");
     let mut crossings = CrossingPeriod::default();
-    integrate(&PENDULUM, &StormerVerlet, Phase::at_rest(0.1), &grid, &mut crossings);
+    integrate_with(&PENDULUM, &StormerVerlet, Phase::at_rest(0.1), &grid, &mut crossings);
     let measured = crossings.period().expect("it swings fifty times");
     let shift = (measured / exact - 1.0) / (X * X);
     Truth::Which(vec![

@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_3;
 
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::metrics::EnergyDrift;
-use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, SymplecticEuler, integrate};
+use pendula::{Grid, Hamiltonian, Pendulum, Phase, Separable, SymplecticEuler, integrate_with};
 use pendula_dynamics::shapes;
 
 use super::{Compute, Truth, Within};
@@ -47,7 +47,7 @@ fn longer() -> Truth {
     let [short, long] = DURATIONS.map(|duration| {
         let grid = Grid::with_duration(0.01, duration).expect("a grid");
         let mut drift = EnergyDrift::new(&PENDULUM);
-        integrate(&PENDULUM, &SymplecticEuler, Phase::at_rest(FRAC_PI_3), &grid, &mut drift);
+        integrate_with(&PENDULUM, &SymplecticEuler, Phase::at_rest(FRAC_PI_3), &grid, &mut drift);
         drift.largest()
     });
     let longer = DURATIONS[1] / DURATIONS[0];

@@ -7,7 +7,7 @@ use pendula::methods::{BlanesMoan6, Dop853, DormandPrince, Gauss4};
 use pendula::systems::Joint;
 use pendula::{
     Components, Damped, DoublePendulum, Driven, Error, Grid, LinearOscillator, Method, Pendulum,
-    Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate,
+    Phase, Rk4, Separable, Shaken, StormerVerlet, System, integrate_with,
 };
 use pendula_dynamics::kepler::{Ellipse, Kepler, PlanePhase};
 use pendula_dynamics::lyapunov::Watch;
@@ -24,7 +24,7 @@ where
     M: Method<S>,
 {
     let grid = Grid::new(step, steps).expect("a positive step");
-    integrate(system, method, start, &grid, &mut |_: u64, _: f64, z| hash.add_state(z));
+    integrate_with(system, method, start, &grid, &mut |_: u64, _: f64, z| hash.add_state(z));
 }
 
 /// With an explicit Runge–Kutta method and an implicit one.

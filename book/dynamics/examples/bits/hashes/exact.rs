@@ -6,7 +6,7 @@ use pendula::arithmetic::double_double::reduced_sine_cosine;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
 use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod};
-use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate};
+use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate_with};
 use pendula_dynamics::Henon;
 use pendula_dynamics::shapes::area;
 
@@ -126,7 +126,7 @@ fn metrics() -> u64 {
         CrossingPeriod::new(Henon(&pendulum)),
     );
     let mut observers = (errors, periods, watch);
-    let end = integrate(&pendulum, &StormerVerlet, start, &grid, &mut observers);
+    let end = integrate_with(&pendulum, &StormerVerlet, start, &grid, &mut observers);
     let ((energy, angle), (peak, linear, hermite, henon), _) = observers;
     let mut hash = Hash::new();
     hash.add_all([energy.largest(), angle.root_mean_square(), angle.largest()]);

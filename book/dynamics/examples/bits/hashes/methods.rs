@@ -3,7 +3,7 @@
 use std::num::NonZeroU64;
 
 use pendula::fast::Instructions;
-use pendula::registry::{ByName, in_seconds};
+use pendula::internals::in_seconds;
 use pendula::{
     AnyMethod, Compensated, CompensatedPhase, Ensemble, Grid, METHODS, Observer, Pendulum, Phase,
     System, method_named,
@@ -106,7 +106,7 @@ pub fn lines(in_threads: InThreads) -> Vec<Line> {
                 run(pendulum, by_seconds, start, grid, &mut watch);
             }),
         );
-        let compensated = Compensated::<Pendulum>::method_named(name).expect("every method");
+        let compensated = method_named::<Compensated<Pendulum>>(name).expect("every method");
         line(
             "compensated",
             hash(5_000, with_lost, |pendulum, start, grid, mut watch| {

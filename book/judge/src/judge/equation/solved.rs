@@ -7,9 +7,9 @@ use super::form::{DEGREES, Equation, SHAPES};
 use crate::judge::identity::{Asked, names};
 use crate::judge::probe::{G_OVER_L, distance};
 use crate::known_answers;
-use pendula::registry::method_for_separable;
+use pendula::registry::{ByName, methods_for_separable};
 use pendula::systems::{Phase, Separable, System};
-use pendula::{AnyMethod, Grid, METHODS};
+use pendula::{AnyMethod, Grid, METHODS, method_named};
 
 /// θ̇ = a ω, ω̇ = −(g/L) f(θ) − c ω − d ω|ω| + e.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,12 @@ impl System for Solved {
 
     fn rate(&self, t: f64, z: Phase) -> Phase {
         Phase { theta: self.drift * z.omega, omega: self.force(t, z) }
+    }
+}
+
+impl ByName for Solved {
+    fn methods() -> &'static [&'static dyn AnyMethod<Self>] {
+        methods_for_separable()
     }
 }
 
@@ -92,7 +98,7 @@ impl Solved {
     pub fn method(&self, asked: &Asked) -> Option<Solver> {
         let of_the_library = METHODS.iter().filter_map(|method| {
             let info = method.info();
-            let on_it = method_for_separable::<Self>(info.name)?;
+            let on_it = method_named::<Self>(info.name)?;
             let apart = asked
                 .apart(1e-3, distance, |start, h, count| self.states(on_it, start, h, count))?;
             Some(Solver { name: info.name, title: info.title, apart })

@@ -2,8 +2,7 @@
 
 use std::time::Instant;
 
-use pendula::adaptive::{Adaptive, Controlled, TaylorSeries, Tolerance};
-use pendula::methods::{Dop853, DormandPrince};
+use pendula::adaptive::{Adaptive, AnyEmbedded, Controlled, TaylorSeries, Tolerance};
 use pendula::systems::Analytic;
 use pendula::{Components, Error, Info, Observer, System};
 
@@ -39,11 +38,9 @@ pub fn by_series<S: Analytic<State: Components>, const N: usize>(
 impl<S: System<State: Components>, const N: usize> Walk<'_, S, N> {
     /// Prints the walk of the system that is `called` this by an embedded pair.
     pub fn by_a_pair(self, called: &str, streams: Streams<'_>) -> Result<(), Failure> {
-        let [five, eight] = [DormandPrince.info(), Dop853.info()];
-        match self.trajectory.method {
-            name if name == five.name => self.by(DormandPrince, five.title, streams),
-            name if name == eight.name => self.by(Dop853, eight.title, streams),
-            name => Err(no_walk(name, called)),
+        match AnyEmbedded::named(self.trajectory.method) {
+            Some(method) => self.by(method, method.info().title, streams),
+            None => Err(no_walk(self.trajectory.method, called)),
         }
     }
 
@@ -106,7 +103,7 @@ impl<S: System<State: Components>, const N: usize> Walk<'_, S, N> {
 
 /// The refusal of the method `name` for the system that is `called` this.
 fn no_walk(name: &str, called: &str) -> Failure {
-    let [five, eight] = [DormandPrince.info().name, Dop853.info().name];
+    let names: Vec<&str> = AnyEmbedded::ALL.iter().map(|method| method.info().name).collect();
     Failure::refused(match name {
         SERIES => {
             let known = SYSTEMS.iter().filter(|system| system.has_series());
@@ -114,12 +111,14 @@ fn no_walk(name: &str, called: &str) -> Failure {
             let known = known.join(" or ");
             format!(
                 "--method {SERIES} can't integrate {called}, because the power series is known \
-                 only for --system {known}. Use {five} or {eight}"
+                 only for --system {known}. Use {}",
+                names.join(" or ")
             )
         }
         _ => format!(
             "--method {name} takes fixed steps and knows no tolerance. With --tolerance, use \
-             {five}, {eight} or {SERIES}; with {name}, use --dt"
+             {} or {SERIES}; with {name}, use --dt",
+            names.join(", ")
         ),
     })
 }

@@ -10,7 +10,7 @@ use pendula::methods::Dop853;
 use pendula::registry::ByName;
 use pendula::{
     Components, Damped, DoublePendulum, Driven, Hamiltonian, Info, METHODS, MethodInfo, Pendulum,
-    Rk4, Shaken,
+    Rk4, Shaken, method_named,
 };
 
 use super::Arguments;
@@ -175,8 +175,10 @@ impl<S: Simulated<N>, const N: usize> Registration for Registered<S, N> {
             );
             return Err(Failure::refused(why));
         }
-        let Some(found) = S::method_named(method) else {
-            return Err(unsuited(method, &self.called(), &|name| S::method_named(name).is_some()));
+        let Some(found) = method_named::<S>(method) else {
+            return Err(unsuited(method, &self.called(), &|name| {
+                method_named::<S>(name).is_some()
+            }));
         };
         let (grid, MethodInfo { title, .. }) = (asked.grid()?, found.info());
         let trajectory = trajectory.titled(&format!("{title}, Δt = {:?} s", grid.step()));
