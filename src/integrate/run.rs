@@ -88,8 +88,8 @@ pub(crate) struct Taken {
 
 /// The [`Stepper`] of a method that is known by its type.
 pub(crate) struct Typed<'m, S: System, M: Method<Counting<S>>> {
-    /// It counts the steps that are taken again too, so that of its count the growth alone is used.
-    system: Counting<S>,
+    /// None while steps are taken, and after one that panicked.
+    system: Option<S>,
     method: &'m M,
     h: f64,
     now: Standing<S::State, M::Carry>,
@@ -111,26 +111,27 @@ impl<'m, S: System, M: Method<Counting<S>>> Typed<'m, S, M> {
         let system = Counting::new(system);
         let carry = method.start(&system, 0.0, h, z);
         let now = Standing { steps: 0, z, carry, evaluations: system.evaluations() };
-        Self { system, method, h, now, before: now }
+        Self { system: Some(system.into_inner()), method, h, now, before: now }
     }
 }
 
 impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
     fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
         self.before = self.now;
-        let (system, method, h) = (&self.system, self.method, self.h);
-        let before = system.evaluations();
-        // A copy, which the compiler keeps in registers.
+        // Here and not in `self`, so that the compiler keeps them in registers. A clone of the
+        // system would do that too, but may be large.
+        let system = Counting::new(self.system.take().expect("no step has panicked"));
+        let (method, h) = (self.method, self.h);
         let Standing { mut steps, mut z, mut carry, evaluations } = self.now;
         let mut written = 0;
         let take = || {
             for state in states {
                 // Of the states before the last nobody sees anything.
                 for _ in 1..every.get() {
-                    z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
+                    z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
                     steps += 1;
                 }
-                z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
+                z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
                 steps += 1;
                 *state = z;
                 written += 1;
@@ -138,7 +139,8 @@ impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
             Ok(())
         };
         let unsolved = take().err().map(|why| (steps, why));
-        let evaluations = evaluations + (self.system.evaluations() - before);
+        let evaluations = evaluations + system.evaluations();
+        self.system = Some(system.into_inner());
         self.now = Standing { steps, z, carry, evaluations };
         Taken { states: written, unsolved }
     }
@@ -157,7 +159,8 @@ impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
 
     fn nothing(&self) -> S::State {
         let Standing { steps, z, .. } = self.now;
-        z + self.system.system().rate(steps as f64 * self.h, z) * f64::NAN
+        let system = self.system.as_ref().expect("no step has panicked");
+        z + system.rate(steps as f64 * self.h, z) * f64::NAN
     }
 
     fn evaluations(&self) -> u64 {

@@ -115,6 +115,12 @@ impl<S> Counting<S> {
         self.evaluations.set(self.evaluations.get() + evaluations);
     }
 
+    /// The system again, without its count.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn into_inner(self) -> S {
+        self.system
+    }
+
     /// The system itself, whose evaluations are not counted.
     pub const fn system(&self) -> &S {
         &self.system

@@ -6,6 +6,7 @@ mod common;
 
 mod adaptive;
 mod anything;
+mod doors;
 mod ensemble;
 mod extremes;
 mod grid;
