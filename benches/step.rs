@@ -11,8 +11,8 @@ use std::hint::black_box;
 use common::NAIVE;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use pendula::fast::ScaledPendulum;
 use pendula::integrate::Record;
+use pendula::internals::ScaledPendulum;
 use pendula::methods::{ForwardEuler, Rk4, StormerVerlet, SymplecticEuler};
 use pendula::metrics::EnergyDrift;
 use pendula::{

@@ -7,6 +7,7 @@ use core::fmt;
 #[non_exhaustive]
 pub enum Error {
     /// A number outside its allowed range.
+    #[non_exhaustive]
     Parameter {
         /// The name of the quantity, with its symbol and unit where it has them.
         name: &'static str,
@@ -16,6 +17,7 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A duration that is not a whole number of steps.
+    #[non_exhaustive]
     PartialStep {
         /// The duration asked for (s).
         duration: f64,
@@ -23,6 +25,7 @@ pub enum Error {
         step: f64,
     },
     /// More steps than an f64 can count one by one.
+    #[non_exhaustive]
     TooManySteps {
         /// The number of steps asked for; an f64, as it may exceed every integer type.
         steps: f64,
@@ -32,6 +35,7 @@ pub enum Error {
     ///
     /// That a motion ends is not always told so:
     /// [`Adaptive`](crate::adaptive::Adaptive#what-it-cannot-see) says when.
+    #[non_exhaustive]
     StepTooSmall {
         /// The time that was reached (s).
         t: f64,
@@ -39,6 +43,7 @@ pub enum Error {
         step: f64,
     },
     /// More attempts at a step than were allowed.
+    #[non_exhaustive]
     OutOfSteps {
         /// The time that was reached (s).
         t: f64,
@@ -46,6 +51,7 @@ pub enum Error {
         limit: u64,
     },
     /// A function whose crossings are looked for is NaN, so that it has no sign.
+    #[non_exhaustive]
     UndefinedEvent {
         /// Which of the functions, counted from 0.
         index: usize,
@@ -53,6 +59,7 @@ pub enum Error {
         t: f64,
     },
     /// A step of an implicit method whose equations have not been solved.
+    #[non_exhaustive]
     NotSolved {
         /// The number of steps taken before it.
         n: u64,
@@ -64,6 +71,21 @@ pub enum Error {
         /// state over the step; NaN if they are not finite.
         change: f64,
     },
+}
+
+impl Error {
+    /// [`Error::Parameter`], for a system of your own that checks its parameters: the name of the
+    /// quantity, what was asked for, and what is allowed.
+    ///
+    /// ```
+    /// use pendula::Error;
+    ///
+    /// let error = Error::parameter("mass (kg)", -1.0, "greater than zero");
+    /// assert_eq!(error.to_string(), "mass (kg) cannot be -1.0. It must be greater than zero");
+    /// ```
+    pub const fn parameter(name: &'static str, value: f64, allowed: &'static str) -> Self {
+        Self::Parameter { name, value, allowed }
+    }
 }
 
 impl fmt::Display for Error {

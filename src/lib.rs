@@ -1,12 +1,12 @@
 //! Numerical integrators on the simple pendulum, θ̈ + (g/L) sin θ = 0, and the tests that they are
 //! right.
 //!
-//! A run has a system, a method, a start, a grid of times, and an observer of its states. Nothing
-//! else costs time.
+//! A run has a system, a method, a start, a grid of times, and perhaps an observer of its states.
+//! Nothing else costs time.
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;
-//! use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate, integrate_with};
+//! use pendula::{Grid, Pendulum, Phase, StormerVerlet, integrate_with};
 //!
 //! let pendulum = Pendulum::PAPER;
 //! let ten_seconds = Grid::with_duration(0.01, 10.0)?;
@@ -17,14 +17,60 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
+//! Any other system is a closure: its rate of change, or the accelerations alone.
+//!
+//! ```
+//! use pendula::systems::{ArrayPhase, FromForce, FromRate};
+//! use pendula::{Grid, Rk4, StormerVerlet, integrate};
+//!
+//! let grid = Grid::with_duration(0.01, 20.0)?;
+//! let van_der_pol = FromRate::new(|_t, [x, v]: [f64; 2]| [v, (1.0 - x * x) * v - x]);
+//! let end = integrate(&van_der_pol, &Rk4, [2.0, 0.0], &grid);
+//! assert!(end[0].abs() < 2.1);
+//!
+//! let galaxy = FromForce::new(|_t, [x, y]: [f64; 2]| [-x - 2.0 * x * y, -y - x * x + y * y]);
+//! let end = integrate(&galaxy, &StormerVerlet, ArrayPhase::at_rest([0.1, 0.2]), &grid);
+//! assert!(end.positions[0].abs() < 1.0);
+//! # Ok::<(), pendula::Error>(())
+//! ```
+//!
 //! # Where to start
+//!
+//! Each of these tasks is a program of some twenty lines in the folder `examples/tasks` of the
+//! repository, the last one in `examples/judge.rs`. Beside it stands what it is in SciPy's
+//! `scipy.integrate` and in OrdinaryDiffEq.jl.
+//!
+//! | task | here | SciPy | OrdinaryDiffEq.jl |
+//! |---|---|---|---|
+//! | `trajectory` | `trajectory()` | `solve_ivp(…).y` | `solve(prob, RK4(); dt, adaptive=false)` |
+//! | `rate`, a rate as a closure | [`FromRate`](systems::FromRate) | `fun` | `ODEProblem(f, u0, tspan)` |
+//! | `n_bodies`, `chain`, from accelerations | [`FromForce`](systems::FromForce) | none | `SecondOrderODEProblem(f, v0, u0, tspan)`, `VelocityVerlet()` |
+//! | `henon_heiles`, with an energy | [`FromForce::with_potential`](systems::FromForce::with_potential) | none | `HamiltonianProblem(H, p0, q0, tspan)` |
+//! | `bouncing_ball`, an event | [`AdaptiveSteps::crossings`](adaptive::AdaptiveSteps::crossings) | `events`, `terminal` | `ContinuousCallback` |
+//! | `output_times` | `Adaptive::states`, `Adaptive::solve` | `t_eval`, `dense_output` | `saveat`, `sol(t)` |
+//! | `adaptive_options` | [`first_step`](adaptive::Adaptive::first_step), [`max_step`](adaptive::Adaptive::max_step), [`Tolerance::for_each`](adaptive::Tolerance::for_each) | `first_step`, `max_step`, `atol` | `dt`, `dtmax`, `abstol` |
+//! | `ensemble`, many starts | `Ensemble` | none | `EnsembleProblem` |
+//! | `method_table`, a list of methods | `&[&dyn AnyMethod]` | a list of `method` | a list of `alg` |
+//! | `method_by_name` | `method_named("velocity-verlet")` | none | none |
+//! | `adaptive_by_name` | [`AnyEmbedded::named("RK45")`](adaptive::AnyEmbedded::named) | `method="RK45"` | `DP5()` |
+//! | `own_method` | [`Method`] | `OdeSolver` | `alg_cache`, `perform_step!` |
+//! | `judge`, a closure judged | `pendula_judge::judge` | none | none |
 //!
 //! * The four methods of the paper, a few lines each: [`ForwardEuler`], [`SymplecticEuler`],
 //!   [`Rk4`], [`StormerVerlet`]. The others are in [`methods`], as a table.
-//! * The loop: [`integrate()`].
 //! * The problem: [`Pendulum`], and its exact solution, [`Motion`].
 //!
 //! The book, which `cargo run --release` builds from the repository, walks through each of them.
+//!
+//! # What it is not for
+//!
+//! * Stiff systems. For van der Pol's oscillator with μ = 1000 to t = 100, [`methods::Dop853`] with
+//!   a tolerance of 10⁻⁶ takes 45 000 steps, in which little happens; and the implicit methods here
+//!   are solved by iteration, which converges for short steps only. Take SciPy's `Radau` or `BDF`,
+//!   or the crate `diffsol`.
+//! * States whose length is known at run time only. A state is copied, and its length is known to
+//!   the compiler: up to some hundred numbers.
+//! * Equations with constraints, delays or noise.
 //!
 //! # The loops
 //!
@@ -32,7 +78,7 @@
 //!
 //! | loop | takes | use it |
 //! |---|---|---|
-//! | [`integrate()`] | any system, fixed steps | unless there is a reason for another |
+//! | [`integrate()`], [`integrate_with`] | any system, fixed steps | unless there is a reason for another |
 //! | [`integrate_fast()`] | the pendulum, fixed steps | for speed: two thirds of the time; the last bits differ |
 //! | `Ensemble` | many pendulums, or any other system, fixed steps | for sweeps: pendulums in vector instructions; all cores with the feature `parallel` |
 //! | [`Adaptive`](adaptive::Adaptive) | any system, to a tolerance | where the pace of the motion varies, for events and output at any time |
@@ -51,14 +97,14 @@
 //! * [`arithmetic`]: sine and cosine, and double-double numbers.
 //! * [`error`]: the errors.
 //!
-//! What is public and hidden from this documentation serves the tests and the book of the
-//! repository: it is no part of the interface, and may change at any time.
+//! What is public and hidden from this documentation, the module `internals` above all, serves the
+//! tests and the book of the repository: it is no part of the interface, and may change at any time.
 //!
 //! # Features
 //!
 //! | feature | adds | needs |
 //! |---|---|---|
-//! | `alloc` | the module `registry`, methods that are chosen at run time; `adaptive::Solution`, a walk that is kept | alloc |
+//! | `alloc` | what is returned in a `Vec`: `trajectory`, `Adaptive::states`, `Adaptive::solve`; the module `registry`, methods that are chosen at run time | alloc |
 //! | `ensemble` | `Ensemble` | std, the crate `fearless_simd` |
 //! | `parallel` | ensembles on all cores | std, the crate `rayon` |
 //! | `table` | the methods of `registry`, compiled with the library for its systems and in lanes | std; a minute to compile |
@@ -121,16 +167,8 @@ pub use systems::{
     Vector,
 };
 
-/// What the tests look at inside private modules.
 #[doc(hidden)]
-pub mod internals {
-    pub use crate::adaptive::control::Controller;
-    pub use crate::adaptive::series::order;
-    pub use crate::arithmetic::rough::{exp2, log2};
-    pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
-    #[cfg(feature = "alloc")]
-    pub use crate::registry::in_seconds;
-}
+pub mod internals;
 
 /// The README's listing, run as a test.
 #[cfg(doctest)]

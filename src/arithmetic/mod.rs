@@ -13,10 +13,8 @@
 pub mod double_double;
 pub(crate) mod fixed;
 #[cfg(feature = "ensemble")]
-#[doc(hidden)]
-pub mod lanes;
-#[doc(hidden)]
-pub mod number;
+pub(crate) mod lanes;
+pub(crate) mod number;
 pub(crate) mod rough;
 pub mod sine;
 

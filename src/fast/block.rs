@@ -3,8 +3,9 @@
 use core::fmt;
 use core::ops::ControlFlow;
 
+use super::deferred::Deferred;
 use super::instructions::Work;
-use super::{Deferred, ReducedPhase, ScaledPendulum};
+use super::{ReducedPhase, ScaledPendulum};
 use crate::arithmetic::lanes::Lanes;
 use crate::integrate::Method;
 use crate::systems::Phase;
@@ -14,7 +15,6 @@ pub const LANES: usize = 32;
 
 /// Up to [`LANES`] pendulums and the steps that they take together. It knows neither the method nor
 /// the observers, so that the steps of a method are compiled once, whoever looks at them.
-#[doc(hidden)]
 pub struct Block<'a> {
     /// The pendulums and where they begin, at least one; the last of them fills the idle lanes.
     pub(super) starts: &'a [(ScaledPendulum, ReducedPhase)],

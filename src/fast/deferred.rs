@@ -12,7 +12,6 @@ use crate::systems::Vector;
 /// adds once. So a deferred number scales and adds to its known part and its factor, both early,
 /// and adds the late product when its value is read. The code of the methods does not change.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct Deferred<N = f64> {
     /// The part that is known early.
     pub sum: N,

@@ -302,6 +302,8 @@ pub trait TakesBlocks: Sync {
     fn take_block(&self, instructions: Instructions, block: Block<'_>);
 }
 
+#[doc(hidden)]
+#[diagnostic::do_not_recommend]
 impl<M> InLanes for M
 where
     M: TakesBlocks

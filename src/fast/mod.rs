@@ -3,29 +3,28 @@
 
 #[cfg(feature = "ensemble")]
 mod block;
-mod deferred;
+pub(crate) mod deferred;
 #[cfg(feature = "ensemble")]
 mod ensemble;
 #[cfg(feature = "ensemble")]
 mod instructions;
 #[cfg(feature = "alloc")]
 mod run;
-mod scaled;
+pub(crate) mod scaled;
 
-#[doc(hidden)]
-pub use crate::arithmetic::number::Number;
 #[cfg(feature = "ensemble")]
-pub use block::{Block, LANES};
-pub use deferred::Deferred;
+pub use block::LANES;
 #[cfg(feature = "table")]
 pub(crate) use ensemble::ByItsTable;
 #[cfg(feature = "ensemble")]
-pub use ensemble::{Ensemble, InLanes, TakesBlocks};
+pub(crate) use ensemble::TakesBlocks;
+#[cfg(feature = "ensemble")]
+pub use ensemble::{Ensemble, InLanes};
 #[cfg(feature = "ensemble")]
 pub use instructions::Instructions;
 #[cfg(feature = "alloc")]
 pub(crate) use run::begin;
-pub use scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
+pub(crate) use scaled::{ReducedPhase, ScaledPendulum};
 
 #[cfg(doc)]
 use crate::integrate::integrate;
@@ -37,15 +36,12 @@ use crate::systems::{Pendulum, Phase};
 /// The same method takes the same steps; only the rounding differs. After a step that has no
 /// solution the states are NaN, and a run of `registry::InSteps` says why.
 #[inline]
-pub fn integrate_fast<M>(
+pub fn integrate_fast<M: FastMethod>(
     pendulum: &Pendulum,
     method: &M,
     start: impl Into<Phase>,
     grid: &Grid,
-) -> Phase
-where
-    M: Method<ScaledPendulum> + Method<Pendulum>,
-{
+) -> Phase {
     integrate_fast_with(pendulum, method, start, grid, &mut ())
 }
 
@@ -60,34 +56,68 @@ pub fn integrate_fast_with<M, O>(
     observer: &mut O,
 ) -> Phase
 where
-    M: Method<ScaledPendulum> + Method<Pendulum>,
+    M: FastMethod,
     O: Observer<Phase> + ?Sized,
 {
-    let start = start.into();
-    let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
-        return integrate_with(pendulum, method, start, grid, observer);
-    };
-    // The start is observed as it was given, and returned so if that is enough.
-    observer.observe(0, 0.0, start);
-    if observer.is_satisfied() {
-        return start;
-    }
-    let mut watch = InSeconds { scaled, grid, observer };
-    let (steps, last) = (grid.in_steps(), grid.steps() - 1);
-    let mut z = scaled.from_phase(start);
-    let mut carry = method.start(&scaled, 0.0, steps.step(), z);
-    for n in 0..last {
-        z = method.step(&scaled, steps.time(n), steps.step(), z, &mut carry);
-        watch.observe(n + 1, steps.time(n + 1), z);
-        if watch.is_satisfied() {
-            return scaled.to_phase(z);
+    method.take_fast(pendulum, start.into(), grid, observer)
+}
+
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no steps with the step as the unit of time",
+    note = "a method that is written for every system does, by `impl<S: System> Method<S>`; one \
+            that is written for the pendulum alone is integrated by `integrate`"
+)]
+/// A method on the pendulum that can take the step as the unit of time: any [`Method`] that is
+/// written for every system, or for every separable one.
+pub trait FastMethod {
+    /// [`integrate_fast_with`].
+    #[doc(hidden)]
+    fn take_fast<O: Observer<Phase> + ?Sized>(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut O,
+    ) -> Phase;
+}
+
+#[doc(hidden)]
+#[diagnostic::do_not_recommend]
+impl<M: Method<ScaledPendulum> + Method<Pendulum>> FastMethod for M {
+    #[inline]
+    fn take_fast<O: Observer<Phase> + ?Sized>(
+        &self,
+        pendulum: &Pendulum,
+        start: Phase,
+        grid: &Grid,
+        observer: &mut O,
+    ) -> Phase {
+        let method = self;
+        let Some(scaled) = ScaledPendulum::new::<M>(pendulum, grid, start) else {
+            return integrate_with(pendulum, method, start, grid, observer);
+        };
+        // The start is observed as it was given, and returned so if that is enough.
+        observer.observe(0, 0.0, start);
+        if observer.is_satisfied() {
+            return start;
         }
+        let mut watch = InSeconds { scaled, grid, observer };
+        let (steps, last) = (grid.in_steps(), grid.steps() - 1);
+        let mut z = scaled.from_phase(start);
+        let mut carry = method.start(&scaled, 0.0, steps.step(), z);
+        for n in 0..last {
+            z = method.step(&scaled, steps.time(n), steps.step(), z, &mut carry);
+            watch.observe(n + 1, steps.time(n + 1), z);
+            if watch.is_satisfied() {
+                return scaled.to_phase(z);
+            }
+        }
+        // The last step stands apart: in the others the compiler then removes what only an observer
+        // reads, even a half drift or a change of variables, which branch.
+        z = method.step(&scaled, steps.time(last), steps.step(), z, &mut carry);
+        watch.observe(last + 1, steps.time(last + 1), z);
+        scaled.to_phase(z)
     }
-    // The last step stands apart: in the others the compiler then removes what only an observer
-    // reads, even a half drift or a change of variables, which branch.
-    z = method.step(&scaled, steps.time(last), steps.step(), z, &mut carry);
-    watch.observe(last + 1, steps.time(last + 1), z);
-    scaled.to_phase(z)
 }
 
 /// Passes states to an observer, converted from steps to seconds.

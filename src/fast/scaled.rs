@@ -23,7 +23,6 @@ use crate::systems::{
 
 /// The pendulum with time in steps; or, where a [`Number`] has lanes, a pendulum in each.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct ScaledPendulum<N = f64> {
     /// −K = −h² g/L.
     pub(crate) minus_k: N,
@@ -34,7 +33,6 @@ pub struct ScaledPendulum<N = f64> {
 /// The state: the angle as a remainder in [−π/2, π/2] and a number of half turns, and the velocity
 /// in rad a step.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct ReducedPhase<N = f64> {
     /// The remainder of the angle (rad).
     pub rest: N,
@@ -47,7 +45,6 @@ pub struct ReducedPhase<N = f64> {
 
 /// A displacement of the state, or its rate of change.
 #[derive(Clone, Copy, Debug)]
-#[doc(hidden)]
 pub struct ReducedRate<N = f64> {
     /// That of the angle (rad).
     pub angle: Deferred<N>,

@@ -108,7 +108,7 @@ where
 
 /// A method on the pendulum with the step as the unit of time, as
 /// [`integrate_fast`](crate::integrate_fast()) takes it: in two thirds of the time, and other last
-/// bits.
+/// bits. It is an [`AnyMethod`] on the pendulum.
 ///
 /// ```
 /// use pendula::registry::InSteps;
@@ -129,6 +129,7 @@ impl<M: Info> Info for InSteps<M> {
     }
 }
 
+#[doc(hidden)]
 impl<M> AnyMethod for InSteps<M>
 where
     M: Method<ScaledPendulum>

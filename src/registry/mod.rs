@@ -45,10 +45,8 @@
 
 mod any;
 mod list;
-mod names;
+pub(crate) mod names;
 
 pub use any::{AnyMethod, InSteps};
 pub use list::METHODS;
-#[doc(hidden)]
-pub use names::in_seconds;
 pub use names::{ByName, method_named, methods_for, methods_for_separable};

@@ -192,7 +192,6 @@ fn energies_with(
 /// [`Hamiltonian::energy`] of a pendulum of this moment of inertia (kg m²) and depth (J), or of one
 /// in each lane, for angles (rad) up to twice [`half_turn::LARGEST`].
 #[inline(always)]
-#[doc(hidden)]
 pub fn energy_in_lanes<N: Number>([inertia, depth]: [N; 2], theta: N, omega: N) -> N {
     energy_of([inertia, depth], half_turn::sin_within(theta * 0.5), omega)
 }

@@ -66,22 +66,27 @@ pub trait Components: State {
 /// A state of which sizes can be compared: what the iteration of an implicit method needs.
 ///
 /// Every state with [`Components`] is one, so that a state of your own implements those instead;
-/// and so are many such states in lanes.
+/// and so are many such states in lanes. It has no calls for others.
 pub trait Measurable: State {
     /// A size: one number, or one for each lane.
+    #[doc(hidden)]
     type Number: Number;
 
     /// The sum of the absolute values of the components; any displacement of the state will do. A
     /// sum, not a maximum, which would ignore a NaN.
+    #[doc(hidden)]
     fn size(self, displacement: Self::Displacement) -> Self::Number;
 
     /// The sum of the absolute values of the components of a `displacement` of this state.
+    #[doc(hidden)]
     fn size_of(self, displacement: Self::Displacement) -> Self::Number;
 
     /// A `displacement` of this state times `factor`, in each lane its own.
+    #[doc(hidden)]
     fn times(displacement: Self::Displacement, factor: Self::Number) -> Self::Displacement;
 
     /// The displacement `yes` where the mask is true, `no` elsewhere.
+    #[doc(hidden)]
     fn select(
         mask: <Self::Number as Number>::Mask,
         yes: Self::Displacement,
@@ -90,6 +95,7 @@ pub trait Measurable: State {
 
     /// The displacement `new`, or in lanes `old` where the mask is true. A single state is asked
     /// for only while its mask is false, and takes the new one without looking.
+    #[doc(hidden)]
     fn unless(
         mask: <Self::Number as Number>::Mask,
         old: Self::Displacement,
@@ -97,9 +103,11 @@ pub trait Measurable: State {
     ) -> Self::Displacement;
 
     /// The number of components; any displacement of the state will do.
+    #[doc(hidden)]
     fn components(self, displacement: Self::Displacement) -> usize;
 
     /// The state with one component, counted from 0, multiplied by `factor`.
+    #[doc(hidden)]
     #[must_use]
     fn with_scaled(self, component: usize, factor: f64) -> Self;
 }

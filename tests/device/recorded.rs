@@ -1,8 +1,8 @@
 //! What a recording is; and what the bits would be if products were fused with sums, as compilers
 //! for graphics cards do unless they are told not to.
 
-use pendula::arithmetic::number::{Mask, Number};
-use pendula::fast::{ReducedPhase, ScaledPendulum};
+use pendula::internals::{Mask, Number};
+use pendula::internals::{ReducedPhase, ScaledPendulum};
 use pendula::{Grid, Method, Pendulum, Phase, StormerVerlet};
 use pendula_device::numbers::Numbers;
 use pendula_device::trace::{Place, Tape, Traced, Value, record};

@@ -1,6 +1,6 @@
 //! Time in steps against time in seconds: the same method, the same steps, another rounding.
 
-use pendula::fast::{Deferred, ScaledPendulum};
+use pendula::internals::{Deferred, ScaledPendulum};
 use pendula::methods::{Rk4, StormerVerlet, SymplecticEuler, Yoshida8};
 use pendula::registry::InSteps;
 use pendula::{

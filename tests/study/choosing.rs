@@ -1,6 +1,6 @@
 //! The map for choosing an integrator, checked against real runs.
 
-use pendula::registry::in_seconds;
+use pendula::internals::in_seconds;
 use pendula::{AnyMethod, Grid, Motion, Pendulum, Phase, method_named};
 use pendula_study::experiments::choosing::{
     Advice, Cell, Curve, LONGEST, PERIODS, PROJECTED, Release, SWINGS, THETA_0, allowed, map,

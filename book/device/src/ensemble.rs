@@ -2,8 +2,8 @@
 
 use std::num::NonZeroU64;
 
-use pendula::arithmetic::sine::half_turn;
 use pendula::integrate::Every;
+use pendula::internals::sine::half_turn;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Grid, METHODS, Observer, Pendulum, Phase, for_each_method, methods,

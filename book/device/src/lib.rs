@@ -1,6 +1,6 @@
 //! Ensembles of pendulums on graphics cards and other OpenCL devices, with the bits of the library.
 //!
-//! The methods of the library are written for every [number](pendula::fast::Number). Here a step is
+//! The methods of the library are written for every [number](pendula::internals::Number). Here a step is
 //! [recorded](trace) with numbers that write down what is done with them, and the record is the
 //! [program](kernel) for the device: the same additions and multiplications in the same order, each
 //! rounded by itself. So the bits are those of the library, on every device that keeps the IEEE

@@ -1,7 +1,6 @@
 //! States and what a step carries to the next, as numbers and back again with the same bits.
 
-use pendula::arithmetic::number::Number;
-use pendula::fast::{Deferred, ReducedPhase, ReducedRate};
+use pendula::internals::{Deferred, Number, ReducedPhase, ReducedRate};
 use pendula::methods::splitting::Rotating;
 
 use crate::trace::Traced;

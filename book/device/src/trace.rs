@@ -9,8 +9,8 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
-use pendula::arithmetic::number::{Apart, Many, Mask, Number};
-use pendula::arithmetic::sine::sin_and_cos_within;
+use pendula::internals::sine::sin_and_cos_within;
+use pendula::internals::{Apart, Many, Mask, Number};
 
 /// The place of a value on the tape.
 pub type Place = usize;

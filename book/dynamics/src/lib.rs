@@ -72,5 +72,5 @@ fn checked(
     fits: bool,
     allowed: &'static str,
 ) -> Result<f64, Error> {
-    if fits { Ok(value) } else { Err(Error::Parameter { name, value, allowed }) }
+    if fits { Ok(value) } else { Err(Error::parameter(name, value, allowed)) }
 }

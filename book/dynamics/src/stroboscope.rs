@@ -27,7 +27,7 @@ impl<'a, S, M> Stroboscope<'a, S, M> {
     pub fn new(system: &'a S, method: &'a M, period: f64, steps: u64) -> Result<Self, Error> {
         let (name, allowed) = ("period (s)", "finite and greater than zero");
         if !(period.is_finite() && period > 0.0) {
-            return Err(Error::Parameter { name, value: period, allowed });
+            return Err(Error::parameter(name, period, allowed));
         }
         checked("steps a period", steps as f64, steps >= 1, "at least 1")?;
         Ok(Self { system, method, grid: Grid::new(period / steps as f64, steps)? })

@@ -5,7 +5,7 @@
 
 use core::ops::{Add, Mul};
 
-use pendula::fast::{ReducedPhase, ReducedRate, ScaledPendulum};
+use pendula::internals::{ReducedPhase, ReducedRate, ScaledPendulum};
 use pendula::systems::{
     Analytic, Components, DoublePhase, Driven, ForceGradient, MeanForce, NearlyLinear, Processor,
     Shaken, State, Vector,

@@ -1,6 +1,6 @@
 //! A trajectory in progress: the state, the carry of the method, and the counts.
 
-use pendula::fast::ScaledPendulum;
+use pendula::internals::ScaledPendulum;
 use pendula::systems::{Driven, Joint, Shaken};
 use pendula::{Damped, DoublePendulum, Grid, Hamiltonian, Info, Method, Pendulum, Phase, methods};
 

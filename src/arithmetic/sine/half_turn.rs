@@ -83,7 +83,6 @@ pub fn of_rest<N: Number>(r: N) -> N {
 }
 
 /// The coefficients of [`series`].
-#[doc(hidden)]
 pub const P: [f64; 8] = [
     -0.16666666666666666,
     0.008333333333333208,
@@ -107,7 +106,6 @@ pub fn series<N: Number>(z: N) -> N {
 }
 
 /// The coefficients of [`cosine_series`]: of r⁴, r⁶, … r¹⁶.
-#[doc(hidden)]
 pub const C: [f64; 7] = [
     0.04166666666666583,
     -0.0013888888888829974,

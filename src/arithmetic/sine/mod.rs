@@ -14,8 +14,7 @@
 //! time loops use the module `half_turn`: one polynomial without a choice between two, two thirds
 //! of the time, within 2.5 ulp, which in a sum of a million kicks makes no difference.
 
-#[doc(hidden)]
-pub mod half_turn;
+pub(crate) mod half_turn;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
@@ -147,7 +146,6 @@ fn turned(quarters: u64, r: Rest) -> f64 {
 }
 
 /// The coefficients of [`sine`]: of r³, r⁵, … r¹³.
-#[doc(hidden)]
 pub const S: [f64; 6] = [
     -0.1666666666666663,
     0.008333333333321924,
@@ -169,7 +167,6 @@ fn sine<N: Number>(Rest { head, tail }: Rest<N>) -> N {
 }
 
 /// The coefficients of [`cosine`]: of r⁴, r⁶, … r¹⁴.
-#[doc(hidden)]
 pub const C: [f64; 6] = [
     0.041666666666666595,
     -0.0013888888888873348,

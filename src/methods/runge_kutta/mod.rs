@@ -4,18 +4,15 @@
 //! stages; two of them are [`Embedded`]: they estimate their own error. One of your own is
 //! [`Explicit`], by its coefficients.
 
-#[doc(hidden)]
-pub mod dop853;
-#[doc(hidden)]
-pub mod dormand_prince;
+pub(crate) mod dop853;
+pub(crate) mod dormand_prince;
 mod embedded;
 mod explicit;
 mod explicit_midpoint;
 mod forward_euler;
 mod heun;
 mod rk4;
-#[doc(hidden)]
-pub mod tableau;
+pub(crate) mod tableau;
 
 pub use dop853::Dop853;
 pub use dormand_prince::DormandPrince;

@@ -10,9 +10,9 @@
 use std::collections::BTreeMap;
 
 use pendula::arithmetic::double_double::DoubleDouble;
-use pendula::methods::runge_kutta::dop853::{self};
-use pendula::methods::runge_kutta::dormand_prince::{self};
-use pendula::methods::runge_kutta::tableau::{Coefficient, Row, Tableau};
+use pendula::internals::runge_kutta::dop853::{self};
+use pendula::internals::runge_kutta::dormand_prince::{self};
+use pendula::internals::runge_kutta::{Coefficient, Row, Tableau};
 use rstest::rstest;
 
 // -------------------------------------------------------------------------------------------------

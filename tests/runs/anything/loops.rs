@@ -2,8 +2,9 @@
 
 use std::num::NonZeroU64;
 
-use pendula::fast::{InLanes, ScaledPendulum};
+use pendula::fast::InLanes;
 use pendula::integrate::Every;
+use pendula::internals::ScaledPendulum;
 use pendula::methods::{Gauss6, Implicit, Iteration};
 use pendula::registry::InSteps;
 use pendula::systems::CompensatedPhase;

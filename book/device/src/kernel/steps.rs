@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use pendula::fast::{ReducedPhase, ScaledPendulum};
-use pendula::systems::energy_in_lanes;
+use pendula::internals::{ReducedPhase, ScaledPendulum, energy_in_lanes};
 use pendula::{Grid, Hamiltonian, Method, Pendulum, Phase};
 
 use super::{HEAD, Program, Recording, numbers};

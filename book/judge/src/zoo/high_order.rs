@@ -2,7 +2,7 @@
 //! short.
 
 use pendula::arithmetic::sine::{cos, sin};
-use pendula::methods::runge_kutta::dop853;
+use pendula::internals::runge_kutta::dop853;
 use pendula::methods::splitting::{Splitting, kicks};
 use pendula::methods::{Dop853, ForestRuth, Gauss4, Taylor24, Yoshida6};
 use pendula::{Counting, Info, Method, Pendulum, Phase, Separable};

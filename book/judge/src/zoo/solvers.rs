@@ -6,9 +6,9 @@ use core::f64::consts::{PI, TAU};
 use core::time::Duration;
 
 use pendula::adaptive::Tolerance;
+use pendula::internals::runge_kutta::Row;
+use pendula::internals::runge_kutta::dormand_prince::TABLEAU;
 use pendula::methods::Dop853;
-use pendula::methods::runge_kutta::dormand_prince::TABLEAU;
-use pendula::methods::runge_kutta::tableau::Row;
 use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
 use pendula::systems::{Pendulum, Phase, RateOf, System, Vector};
 

@@ -31,7 +31,7 @@ pub(crate) fn examples(lines: &[&str]) -> StyledStr {
 /// The refusal of the step at which the iteration of the method `name` has not converged, if
 /// that is the error.
 pub(crate) fn unsolved(name: &str, error: &pendula::Error) -> Option<Failure> {
-    let pendula::Error::NotSolved { n, step, sweeps, change } = error else { return None };
+    let pendula::Error::NotSolved { n, step, sweeps, change, .. } = error else { return None };
     let change = match change.is_finite() {
         true => format!("relative change {change:.1e}"),
         false => "no finite result".to_owned(),

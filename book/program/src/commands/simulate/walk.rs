@@ -126,7 +126,7 @@ fn no_walk(name: &str, called: &str) -> Failure {
 /// The error with the names of the options that would help.
 fn explained(error: Error) -> anyhow::Error {
     match error {
-        Error::OutOfSteps { t, limit } => anyhow::anyhow!(
+        Error::OutOfSteps { t, limit, .. } => anyhow::anyhow!(
             "{limit} steps were not enough, and the run came only to {t:?} s. Allow more with \
              --max-steps, a larger --tolerance or a shorter --duration"
         ),
