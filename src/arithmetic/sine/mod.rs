@@ -106,6 +106,7 @@ fn reduce_always<N: Number>(x: N) -> (N, Rest<N>) {
 }
 
 /// [`sin`] and [`cos`] of `x` (rad) up to 2²⁰ quarter turns, without a branch, with the same bits.
+#[doc(hidden)]
 #[inline(always)]
 pub fn sin_and_cos_within<N: Number>(x: N) -> (N, N) {
     let (quarters, rest) = reduce_always(x);
@@ -145,7 +146,8 @@ fn turned(quarters: u64, r: Rest) -> f64 {
     f64::from_bits(value.to_bits() ^ (quarters & 2) << 62)
 }
 
-/// The coefficients of [`sine`]: of r³, r⁵, … r¹³.
+/// The coefficients of `sine`: of r³, r⁵, … r¹³.
+#[doc(hidden)]
 pub const S: [f64; 6] = [
     -0.1666666666666663,
     0.008333333333321924,
@@ -166,7 +168,8 @@ fn sine<N: Number>(Rest { head, tail }: Rest<N>) -> N {
     head + (cube * S[0] + (z * (cube * q - tail * 0.5) + tail))
 }
 
-/// The coefficients of [`cosine`]: of r⁴, r⁶, … r¹⁴.
+/// The coefficients of `cosine`: of r⁴, r⁶, … r¹⁴.
+#[doc(hidden)]
 pub const C: [f64; 6] = [
     0.041666666666666595,
     -0.0013888888888873348,

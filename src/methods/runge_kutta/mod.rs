@@ -1,6 +1,6 @@
 //! Explicit Runge–Kutta methods, including forward Euler, which has a single stage.
 //!
-//! The longer ones are given as a [`tableau`], from which a macro generates the code of their
+//! The longer ones are given as a tableau, from which a macro generates the code of their
 //! stages; two of them are [`Embedded`]: they estimate their own error. One of your own is
 //! [`Explicit`], by its coefficients.
 
