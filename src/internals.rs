@@ -8,6 +8,8 @@ pub use crate::arithmetic::lanes::{Lanes, Pair};
 pub use crate::arithmetic::number::{Apart, Many, Mask, Number, OfF64, Two};
 pub use crate::arithmetic::rough::{exp2, log2};
 pub use crate::exact::elliptic::{arithmetic_geometric_mean, carlson_rf};
+#[cfg(feature = "ensemble")]
+pub use crate::fast::block::LANES;
 pub use crate::fast::deferred::Deferred;
 pub use crate::fast::scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 #[cfg(feature = "alloc")]

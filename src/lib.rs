@@ -98,7 +98,8 @@
 //! * [`error`]: the errors.
 //!
 //! What is public and hidden from this documentation, the module `internals` above all, serves the
-//! tests and the book of the repository: it is no part of the interface, and may change at any time.
+//! tests and the book of the repository: it is no part of the interface, and may change at any
+//! time.
 //!
 //! # Features
 //!

@@ -51,6 +51,7 @@ pub trait Controlled<S: System<State: Components>>: ChoosesSteps {
 
     /// What is kept before the first step of a walk of `duration` (s) from `z` at time `t` (s). The
     /// size of its `first` attempt (s) may be given.
+    #[doc(hidden)]
     fn begin(
         &self,
         system: &Counting<&S>,
@@ -62,6 +63,7 @@ pub trait Controlled<S: System<State: Components>>: ChoosesSteps {
     ) -> Self::Memory;
 
     /// The size of the next attempt (s), from `z` at time `t` (s).
+    #[doc(hidden)]
     fn propose(
         &self,
         system: &Counting<&S>,
@@ -73,6 +75,7 @@ pub trait Controlled<S: System<State: Components>>: ChoosesSteps {
 
     /// Tries a step from `z`, which may be shorter than proposed, and 1 % longer: the state at its
     /// end and its record, unless its error is too large.
+    #[doc(hidden)]
     fn attempt_step(
         &self,
         system: &Counting<&S>,
@@ -84,6 +87,7 @@ pub trait Controlled<S: System<State: Components>>: ChoosesSteps {
 
     /// The coefficients of [`Dense`](super::Dense) for a step from `z`. The `memory` is of the step
     /// last taken, or a later one.
+    #[doc(hidden)]
     fn interpolant(
         &self,
         system: &Counting<&S>,

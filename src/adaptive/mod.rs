@@ -39,7 +39,7 @@ mod steps;
 mod symmetric;
 mod tolerance;
 
-pub use controlled::{ChoosesSteps, Controlled, Times};
+pub use controlled::{ChoosesSteps, Controlled};
 pub use embedded::AnyEmbedded;
 pub use events::{Crossing, Crossings, Direction, Event, EventFunction, Events, StatesAt};
 pub use series::TaylorSeries;

@@ -167,7 +167,7 @@ fn nested(y: DoubleDouble, m: u32) -> DoubleDouble {
 
 /// x + y as a rounded sum and its error, exactly (Knuth).
 #[inline]
-pub fn two_sum(x: f64, y: f64) -> (f64, f64) {
+pub(crate) fn two_sum(x: f64, y: f64) -> (f64, f64) {
     let sum = x + y;
     let from_y = sum - x;
     let from_x = sum - from_y;

@@ -2,7 +2,7 @@
 //! trajectory or many at once.
 
 #[cfg(feature = "ensemble")]
-mod block;
+pub(crate) mod block;
 pub(crate) mod deferred;
 #[cfg(feature = "ensemble")]
 mod ensemble;
@@ -12,8 +12,6 @@ mod instructions;
 mod run;
 pub(crate) mod scaled;
 
-#[cfg(feature = "ensemble")]
-pub use block::LANES;
 #[cfg(feature = "table")]
 pub(crate) use ensemble::ByItsTable;
 #[cfg(feature = "ensemble")]

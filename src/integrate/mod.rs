@@ -20,7 +20,9 @@ use crate::systems::System;
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no method for `{S}`",
-    note = "a splitting method is one for systems that are `Separable`; a method such as `Rk4` is \
+    note = "if another error says that `{S}` is no system, mend that one first",
+    note = "a splitting method is one for systems that are `Separable`, as \
+            `pendula::systems::FromForce` makes them of accelerations; a method such as `Rk4` is \
             one for every system",
     note = "an implicit method, such as `Gauss4`, is one for systems whose state has `Components`, \
             as one made by `pendula::state!` has",

@@ -52,8 +52,8 @@ pub trait AnyMethod<S: System + 'static = Pendulum>: Info + Sync {
         self.begin(system, start, grid).finish(NonZeroU64::MIN, observer)
     }
 
-    /// As [`try_integrate_with`](crate::try_integrate_with): [`run`](Self::run), ended by the first step that
-    /// has no solution.
+    /// As [`try_integrate_with`](crate::try_integrate_with): [`run`](Self::run), ended by the first
+    /// step that has no solution.
     ///
     /// # Errors
     /// [`Error::NotSolved`] at a step of an implicit method whose iteration does not converge.

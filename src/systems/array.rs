@@ -124,7 +124,10 @@ state! {
     ///     }
     ///     accelerations
     /// })
-    /// .with_potential(|r| PAIRS.map(|pair| between(r, pair)).iter().map(|[x, y]| -1.0 / x.hypot(*y)).sum());
+    /// .with_potential(|r| {
+    ///     let distances = PAIRS.map(|pair| between(r, pair)).map(|[x, y]| x.hypot(y));
+    ///     distances.iter().map(|distance| -1.0 / distance).sum()
+    /// });
     ///
     /// // The figure of eight on which three bodies follow each other (Chenciner, Montgomery, *Ann.
     /// // of Math.* 152 (2000) 881–901): after a period each is where it was.

@@ -79,6 +79,7 @@ pub trait AsState: Copy {
     fn displacement(rate: Self::Rate) -> <Self::State as State>::Displacement;
 }
 
+#[diagnostic::do_not_recommend]
 impl<Z: State> AsState for Z {
     type State = Z;
     type Rate = Z::Displacement;

@@ -32,11 +32,11 @@
 //! # Ok::<(), pendula::Error>(())
 //! ```
 //!
-//! A type of your own is for parameters with names and checks. It has a state of named components, made by [`state!`](crate::state), and an implementation of
-//! [`System`] with the equations. Add [`Separable`] if the equations split into kick and drift, and
-//! every splitting method integrates it too; add [`Hamiltonian`] if there is an energy, and its
-//! drift can be measured. Where the numbers of a state have no names, it is an [`Array`], or for
-//! particles an [`ArrayPhase`].
+//! A type of your own is for parameters with names and checks. It has a state of named components,
+//! made by [`state!`](crate::state), and an implementation of [`System`] with the equations. Add
+//! [`Separable`] if the equations split into kick and drift, and every splitting method integrates
+//! it too; add [`Hamiltonian`] if there is an energy, and its drift can be measured. Where the
+//! numbers of a state have no names, it is an [`Array`], or for particles an [`ArrayPhase`].
 //!
 //! ```
 //! use pendula::metrics::EnergyDrift;

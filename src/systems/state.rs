@@ -6,8 +6,8 @@ use crate::arithmetic::number::Number;
 
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no components that can be added and scaled",
-    note = "`pendula::state!` makes a state of named components; `pendula::systems::Array` is one \
-            of numbers without names",
+    note = "`pendula::state!` makes a state of named components; `pendula::systems::Array<3>` is \
+            one of numbers without names, in place of `[f64; 3]`",
     note = "a state is copied, which a `Vec` cannot be"
 )]
 /// A rate of change, or a small displacement: it can be added and scaled.
@@ -19,7 +19,8 @@ pub trait Vector: Copy + Send + Add<Output = Self> + Mul<f64, Output = Self> {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no state of a system",
     note = "`pendula::state!` makes a state of named components; `pendula::systems::Array` is one \
-            of numbers without names",
+            of numbers without names, in place of a bare array",
+    note = "a state is copied, which a `Vec` cannot be",
     note = "a closure of an array, `|t, y: [f64; 3]| …`, is a system by \
             `pendula::systems::FromRate::new`"
 )]
@@ -32,6 +33,7 @@ pub trait State: Copy + Send + Add<Self::Displacement, Output = Self> {
     type Displacement: Vector;
 }
 
+#[diagnostic::do_not_recommend]
 impl<V: Vector> State for V {
     type Displacement = V;
 }

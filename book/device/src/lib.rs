@@ -1,10 +1,10 @@
 //! Ensembles of pendulums on graphics cards and other OpenCL devices, with the bits of the library.
 //!
-//! The methods of the library are written for every [number](pendula::internals::Number). Here a step is
-//! [recorded](trace) with numbers that write down what is done with them, and the record is the
-//! [program](kernel) for the device: the same additions and multiplications in the same order, each
-//! rounded by itself. So the bits are those of the library, on every device that keeps the IEEE
-//! standard in double precision.
+//! The methods of the library are written for every [number](pendula::internals::Number). Here a
+//! step is [recorded](trace) with numbers that write down what is done with them, and the record is
+//! the [program](kernel) for the device: the same additions and multiplications in the same order,
+//! each rounded by itself. So the bits are those of the library, on every device that keeps the
+//! IEEE standard in double precision.
 //!
 //! Any method whose steps can be recorded runs: Runge–Kutta methods, splittings, processed methods,
 //! Taylor series. Implicit methods do not, as they sweep until their equations are solved.

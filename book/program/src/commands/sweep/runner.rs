@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 use std::sync::{Mutex, PoisonError};
 use std::{iter, ops};
 
-use pendula::fast::LANES;
+use pendula::internals::LANES;
 use pendula::metrics::EnergyDrift;
 use pendula::{
     AnyMethod, Ensemble, Error, Grid, MethodInfo, Observer, Pendulum, Phase, method_named,
