@@ -20,8 +20,7 @@
 //! Any other system is a closure: its rate of change, or the accelerations alone.
 //!
 //! ```
-//! use pendula::systems::{ArrayPhase, FromForce, FromRate};
-//! use pendula::{Grid, Rk4, StormerVerlet, integrate};
+//! use pendula::{ArrayPhase, FromForce, FromRate, Grid, Rk4, StormerVerlet, integrate};
 //!
 //! let grid = Grid::with_duration(0.01, 20.0)?;
 //! let van_der_pol = FromRate::new(|_t, [x, v]: [f64; 2]| [v, (1.0 - x * x) * v - x]);
@@ -163,9 +162,9 @@ pub use methods::{ForwardEuler, Info, MethodInfo, Rk4, StormerVerlet, Symplectic
 #[cfg(feature = "alloc")]
 pub use registry::{AnyMethod, METHODS, method_named};
 pub use systems::{
-    Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum, Driven,
-    Hamiltonian, LinearOscillator, Pendulum, Phase, RateOf, Separable, Shaken, State, System,
-    Vector,
+    Array, ArrayPhase, Compensated, CompensatedPhase, Components, Counting, Damped, DoublePendulum,
+    Driven, FromForce, FromRate, Hamiltonian, LinearOscillator, Pendulum, Phase, RateOf, Separable,
+    Shaken, State, System, Vector,
 };
 
 #[doc(hidden)]

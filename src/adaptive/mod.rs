@@ -55,6 +55,10 @@ use crate::systems::{Components, System};
 
 /// A method whose steps are chosen so that each is off by no more than a tolerance.
 ///
+/// Its options are a [first step](Self::first_step), a [largest step](Self::max_step) and a [number
+/// of attempts](Self::max_attempts); the tolerance may be [another for each
+/// component](Tolerance::for_each).
+///
 /// # What it cannot see
 ///
 /// A step knows the rate at its stages alone. What happens between them is not noticed, and no

@@ -8,8 +8,8 @@ use crate::systems::Components;
 /// It bounds the error of a step, not of the run: errors add up from step to step, and grow with
 /// the motion. But the error of the run falls in proportion to the tolerance.
 ///
-/// The absolute part may be [another for each component](Self::for_each), where they differ much in
-/// size:
+/// A tolerance is a `Tolerance<'static>`, unless it borrows such a list. The absolute part may be
+/// [another for each component](Self::for_each), where they differ much in size:
 ///
 /// ```
 /// use pendula::adaptive::{Adaptive, Tolerance};
