@@ -4,8 +4,8 @@
 use core::cell::Cell;
 use core::time::Duration;
 
-use pendula::methods::runge_kutta::dormand_prince::TABLEAU;
-use pendula::methods::runge_kutta::tableau::Row;
+use pendula::internals::runge_kutta::Row;
+use pendula::internals::runge_kutta::dormand_prince::TABLEAU;
 use pendula::systems::Phase;
 
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
