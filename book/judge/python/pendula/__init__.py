@@ -22,11 +22,12 @@ in the accelerations and the energy of pendulums. The former reads :func:`known_
 from .answers import NotJudged
 from .equation import Force, Rate, State
 from .identity import Entry, Identity, identify
-from .judging import Property, Report, judge, judge_rate, judge_solver, program, serve
+from .judging import Cause, Property, Report, judge, judge_rate, judge_solver, program, serve
 from .known import known_answers
 from .right_hand_sides import Compared, WrongTerm, check_energy, check_right_hand_side
 
 __all__ = [
+    "Cause",
     "Compared",
     "Entry",
     "Force",

@@ -41,8 +41,23 @@ class Property:
     unit: str
     #: What the value may be at most, in size; None if no one number decides.
     bound: float | None
-    #: How it was measured, or what follows.
+    #: How it was measured, or what follows, in whole sentences.
     why: str
+    #: What was found, in a word that stays when the sentences change: ``"slopes-tend"``,
+    #: ``"bounded"``, ``"damping"``.
+    finding: str
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A cause of what fails."""
+
+    #: What it is, in a word that stays when the sentence changes: ``"order-condition"``.
+    kind: str
+    #: The names of the other properties that fail by it.
+    explains: list[str]
+    #: In a sentence without its full stop.
+    sentence: str
 
 
 @dataclass(frozen=True, repr=False)
@@ -66,6 +81,8 @@ class Report:
     what_it_is: str
     #: Where something fails, at most three sentences that say why, the main cause first.
     look_at: list[str]
+    #: The same as data, one for each sentence.
+    causes: list[Cause]
     #: Property by property.
     properties: list[Property]
     #: What was claimed.
@@ -476,6 +493,7 @@ def judged(answers: Answers, claims: str | Iterable[str], patience: float) -> Re
         mistake=found["mistake"],
         what_it_is=found["what_it_is"],
         look_at=found["what_to_look_at"],
+        causes=[Cause(**one) for one in found["causes"]],
         properties=[Property(**one) for one in found["properties"]],
         claims=found["claims"],
         text=found["text"],
