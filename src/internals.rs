@@ -16,6 +16,11 @@ pub use crate::fast::scaled::{ReducedPhase, ReducedRate, ScaledPendulum};
 pub use crate::registry::names::in_seconds;
 pub use crate::systems::pendulum::energy_in_lanes;
 
+/// Double-double numbers.
+pub mod double_double {
+    pub use crate::arithmetic::double_double::*;
+}
+
 /// The sines.
 pub mod sine {
     pub use crate::arithmetic::sine::{C, S, sin_and_cos_within};

@@ -42,9 +42,9 @@
 //! | task | here | SciPy | OrdinaryDiffEq.jl |
 //! |---|---|---|---|
 //! | `trajectory` | `trajectory()` | `solve_ivp(…).y` | `solve(prob, RK4(); dt, adaptive=false)` |
-//! | `rate`, a rate as a closure | [`FromRate`](systems::FromRate) | `fun` | `ODEProblem(f, u0, tspan)` |
-//! | `n_bodies`, `chain`, from accelerations | [`FromForce`](systems::FromForce) | none | `SecondOrderODEProblem(f, v0, u0, tspan)`, `VelocityVerlet()` |
-//! | `henon_heiles`, with an energy | [`FromForce::with_potential`](systems::FromForce::with_potential) | none | `HamiltonianProblem(H, p0, q0, tspan)` |
+//! | `rate`, a rate as a closure | [`FromRate`] | `fun` | `ODEProblem(f, u0, tspan)` |
+//! | `n_bodies`, `chain`, from accelerations | [`FromForce`] | none | `SecondOrderODEProblem(f, v0, u0, tspan)`, `VelocityVerlet()` |
+//! | `henon_heiles`, with an energy | [`FromForce::with_potential`] | none | `HamiltonianProblem(H, p0, q0, tspan)` |
 //! | `bouncing_ball`, an event | [`AdaptiveSteps::crossings`](adaptive::AdaptiveSteps::crossings) | `events`, `terminal` | `ContinuousCallback` |
 //! | `output_times` | `Adaptive::states`, `Adaptive::solve` | `t_eval`, `dense_output` | `saveat`, `sol(t)` |
 //! | `adaptive_options` | [`first_step`](adaptive::Adaptive::first_step), [`max_step`](adaptive::Adaptive::max_step), [`Tolerance::for_each`](adaptive::Tolerance::for_each) | `first_step`, `max_step`, `atol` | `dt`, `dtmax`, `abstol` |
@@ -93,7 +93,7 @@
 //! * `registry`: methods that are chosen at run time.
 //! * [`fast`]: the same steps at full speed, for one pendulum and for many.
 //! * [`adaptive`]: steps whose size follows the motion.
-//! * [`arithmetic`]: sine and cosine, and double-double numbers.
+//! * [`arithmetic`]: sine and cosine.
 //! * [`error`]: the errors.
 //!
 //! What is public and hidden from this documentation, the module `internals` above all, serves the

@@ -1,5 +1,4 @@
-//! The arithmetic of the library: sine and cosine with the same bits on every machine, and
-//! double-double numbers.
+//! The arithmetic of the library: sine and cosine with the same bits on every machine.
 //!
 //! ```
 //! use pendula::arithmetic::sine::{cos, sin};
@@ -10,7 +9,7 @@
 //! assert!((sin(1.0) * sin(1.0) + cos(1.0) * cos(1.0) - 1.0).abs() <= f64::EPSILON);
 //! ```
 
-pub mod double_double;
+pub(crate) mod double_double;
 pub(crate) mod fixed;
 #[cfg(feature = "ensemble")]
 pub(crate) mod lanes;

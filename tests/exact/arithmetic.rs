@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use fearless_simd::{Level, f64x4, f64x8};
-use pendula::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
+use pendula::internals::double_double::{DoubleDouble, reduced_sine_cosine};
 use pendula::internals::sine::half_turn;
 use pendula::internals::{Apart, Mask, Number, OfF64, Two};
 use pendula::internals::{Lanes, Pair};

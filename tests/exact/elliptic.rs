@@ -4,8 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;
-use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::exact::complete_elliptic_k;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::internals::{arithmetic_geometric_mean, carlson_rf};
 use quadrature::{clenshaw_curtis, double_exponential};
 use rstest::rstest;

@@ -7,8 +7,8 @@
 use std::f64::consts::FRAC_PI_4;
 use std::sync::LazyLock;
 
-use pendula::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
 use pendula::arithmetic::sine::{cos, sin};
+use pendula::internals::double_double::{DoubleDouble, reduced_sine_cosine};
 use pendula::internals::sine::{C, S, half_turn};
 use pendula::{Pendulum, Phase, Separable};
 use rstest::rstest;

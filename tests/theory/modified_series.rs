@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::{Pendulum, Phase};
 use pendula_study::experiments::level_curves::{THETA_0, own};
 use pendula_study::experiments::{splitting, truncation};

@@ -3,7 +3,7 @@
 
 use std::array;
 
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::methods::{Gauss4, Gauss6, Gauss16, ImplicitMidpoint, ImplicitTableau, Trapezoidal};
 
 /// The coefficients of Gauss's method with twice the digits.

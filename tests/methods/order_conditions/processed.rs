@@ -6,7 +6,7 @@
 //! G} = ∂F/∂θ ∂G/∂ω − ∂F/∂ω ∂G/∂θ: [A, B] has ωV', [B, [A, B]] has −V'², [A, [A, [A, B]]] has
 //! ω³V''', and [B, [A, [A, B]]] has −2ωV'V''.
 
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::methods::{Processed4, Processed6};
 use pendula::systems::Processor;
 

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::internals::runge_kutta::dop853::{self};
 use pendula::internals::runge_kutta::dormand_prince::{self};
 use pendula::internals::runge_kutta::{Coefficient, Row, Tableau};

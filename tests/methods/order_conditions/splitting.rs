@@ -1,7 +1,7 @@
 //! The tables of the splitting methods against their order conditions, word by word, in twice the
 //! digits of f64.
 
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::methods::splitting::{Splitting, length};
 use pendula::methods::{
     BlanesMoan6, BlanesMoanSrkn6b, BlanesMoanSrkn14a, ForestRuth, KahanLi8, Ruth3, Suzuki4,

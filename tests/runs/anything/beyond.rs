@@ -1,8 +1,8 @@
 //! Adaptive steps, other systems, and the arithmetic below.
 
 use pendula::adaptive::{Adaptive, Controlled, Direction, SymmetricSteps, TaylorSeries, Tolerance};
-use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::arithmetic::sine::{cos, sin};
+use pendula::internals::double_double::DoubleDouble;
 use pendula::methods::{Dop853, DormandPrince, Gauss6, Rk4, StormerVerlet};
 use pendula::systems::{DoublePendulum, DoublePhase, Joint, Shaken};
 use pendula::{

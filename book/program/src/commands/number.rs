@@ -10,8 +10,8 @@ use std::num::NonZeroU64;
 use std::ops;
 use std::str::FromStr;
 
-use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::error::MAX_STEPS;
+use pendula::internals::double_double::DoubleDouble;
 
 /// What a number may be.
 pub const NUMBER: &str = "it must be a number without a unit, as 0.01 or 1e-3";

@@ -14,7 +14,7 @@
 use core::f64::consts::PI;
 use core::ops::{Add, Mul};
 
-use pendula::arithmetic::double_double::{DoubleDouble, reduced_sine_cosine};
+use pendula::internals::double_double::{DoubleDouble, reduced_sine_cosine};
 use pendula::methods::StormerVerlet;
 use pendula::systems::{Separable, System, Vector};
 use pendula::{Grid, integrate};

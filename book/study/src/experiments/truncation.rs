@@ -7,8 +7,8 @@
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
-use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::exact::complete_elliptic_k;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::methods::StormerVerlet;
 use pendula::{Grid, integrate_with};
 

@@ -1,7 +1,7 @@
 //! Questions of "Run it".
 
-use pendula::arithmetic::double_double::DoubleDouble;
 use pendula::arithmetic::sine::sin;
+use pendula::internals::double_double::DoubleDouble;
 use pendula::{
     ForwardEuler, Grid, Hamiltonian, Pendulum, Phase, SymplecticEuler, integrate, integrate_with,
 };

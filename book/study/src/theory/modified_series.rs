@@ -17,7 +17,7 @@
 //! sum of e^{imθ}, with |m| ≤ b and m − b even. In r = −iq and u = e^{iθ} everything is real:
 //! T = −r²/2, V = −(u + 1/u)/2, and the bracket of uᵐrᵖ with uⁿrᵏ is (mk − pn) uᵐ⁺ⁿrᵖ⁺ᵏ⁻¹.
 
-use pendula::arithmetic::double_double::DoubleDouble;
+use pendula::internals::double_double::DoubleDouble;
 
 /// A sum of brackets of T and V, each with the same number `brackets` of brackets: for each number
 /// b of V's the coefficients of u⁻ᵇ, u²⁻ᵇ, …, uᵇ, times a power of r.

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use pendula::arithmetic::double_double::reduced_sine_cosine;
 use pendula::arithmetic::sine::{cos, sin};
 use pendula::exact::{Swing, complete_elliptic_k};
+use pendula::internals::double_double::reduced_sine_cosine;
 use pendula::metrics::{AngleError, CrossingPeriod, EndError, EnergyDrift, Linear, PeakPeriod};
 use pendula::{Grid, Motion, Pendulum, Phase, StormerVerlet, integrate_with};
 use pendula_dynamics::Henon;

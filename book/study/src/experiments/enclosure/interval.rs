@@ -165,7 +165,7 @@ impl Div for Interval {
 
 #[cfg(test)]
 mod tests {
-    use pendula::arithmetic::double_double::DoubleDouble;
+    use pendula::internals::double_double::DoubleDouble;
 
     use super::*;
 
