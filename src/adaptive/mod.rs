@@ -107,6 +107,15 @@ pub const STEP_LIMIT: u64 = 1_000_000;
 
 impl<'t, M: ChoosesSteps> Adaptive<'t, M> {
     /// `method` with the error of each step within `tolerance`, in at most [`STEP_LIMIT`] attempts.
+    ///
+    /// A method that does not estimate its error is refused by the compiler:
+    ///
+    /// ```compile_fail
+    /// use pendula::Rk4;
+    /// use pendula::adaptive::{Adaptive, Tolerance};
+    ///
+    /// let adaptive = Adaptive::new(Rk4, Tolerance::uniform(1e-9).unwrap());
+    /// ```
     pub const fn new(method: M, tolerance: Tolerance<'t>) -> Self {
         Self { method, tolerance, limit: STEP_LIMIT, longest: f64::INFINITY, first: None }
     }
