@@ -176,11 +176,12 @@ pub fn at(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Looki
     }
     // What is known by its numbers alone may be shown otherwise.
     let vague = report.departure.as_ref().filter(|found| found.kind() == Kind::Values);
-    if vague.is_some_and(|_| report.mistake.is_none()) {
-        if let Some(shown) = causes::shown(probe, hypotheses(report, &failed))? {
-            let advice = each_once(vec![of_a_cause(shown)], &failed);
-            return Ok(Looking { advice, resembles: None });
-        }
+    if vague.is_some()
+        && report.mistake.is_none()
+        && let Some(shown) = causes::shown(probe, hypotheses(report, &failed))?
+    {
+        let advice = each_once(vec![of_a_cause(shown)], &failed);
+        return Ok(Looking { advice, resembles: None });
     }
     match report.departure.as_ref().filter(|found| found.place() == Place::Equation) {
         Some(departure) => of_the_equation(departure, probe, claims, report, &failed),

@@ -223,7 +223,7 @@ fn beyond(ladder: &Ladder, claimed: u32, order: f64) -> Option<(Verdict, Slopes)
     let finest = &slopes[*leading..];
     let steep = finest.len() >= 2 && finest[finest.len() - 2..].iter().all(|s| *s > order + 0.5);
     let shown = shown(ladder).filter(|shown| *shown > claimed)?;
-    steep.then(|| (Verdict::Holds, Slopes::Better { shown, claimed }))
+    steep.then_some((Verdict::Holds, Slopes::Better { shown, claimed }))
 }
 
 /// The same beyond order 8. At steps that are not short against the motion's own time an error is

@@ -81,7 +81,8 @@ pub enum Description {
         area: Option<bool>,
         /// Whether a step is symmetric.
         symmetric: Option<bool>,
-        /// The leading error of a step at (1 rad, ω₀), in θ and ω/ω₀, over x to the power order + 1.
+        /// The leading error of a step at (1 rad, ω₀), in θ and ω/ω₀, over x to the power order +
+        /// 1.
         error: Option<(u32, [f64; 2])>,
     },
     /// A solver: its order and the power of its estimate, each with its uncertainty.

@@ -233,8 +233,9 @@ impl Passages {
     }
 }
 
-/// How far off zero (rad) θ is at the passages that were `found`, by what is told of them, and by the
-/// states that the solver has at those times, if it is `asked_again` and that does not move its run.
+/// How far off zero (rad) θ is at the passages that were `found`, by what is told of them, and by
+/// the states that the solver has at those times, if it is `asked_again` and that does not move its
+/// run.
 fn off_zero(
     asked: Asked<'_>,
     request: &CrossingsRequest,

@@ -168,8 +168,8 @@ impl Driven {
         self.parts().find(|(_, worst)| worst.verdict() == Verdict::Fails)
     }
 
-    /// Why it is wrong, beside the errors (rad) of free runs `from_elsewhere` and `backwards`, which
-    /// may be as large.
+    /// Why it is wrong, beside the errors (rad) of free runs `from_elsewhere` and `backwards`,
+    /// which may be as large.
     pub fn cause(&self, from_elsewhere: f64, backwards: f64) -> Option<DrivenCause> {
         let Some((part, worst)) = self.wrong() else {
             let Work { ratio, tolerance } = self.too_much()?;

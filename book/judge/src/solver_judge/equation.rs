@@ -44,7 +44,8 @@ pub fn departure(asked: Asked<'_>, ladder: &Ladder) -> Option<Departure> {
     report.ok()?.departure
 }
 
-/// By what a factor of g/L differs from 1 at most, to be looked for here: beyond it no run is right.
+/// By what a factor of g/L differs from 1 at most, to be looked for here: beyond it no run is
+/// right.
 const FARTHEST: f64 = 0.1;
 
 /// The factor of g/L with which all runs would be right, if their errors stay where they are: each

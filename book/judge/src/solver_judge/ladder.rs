@@ -74,8 +74,8 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// Why it ends before the last tolerance, if it does.
     pub ended: Option<Ended>,
-    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these come
-    /// from polynomials of a degree; else none.
+    /// Tolerances, and the errors (rad) of states between steps, where it is claimed that these
+    /// come from polynomials of a degree; else none.
     pub outputs: Vec<(f64, f64)>,
     /// Two counts of evaluations for the same answers to the same requests, the first and the
     /// second time, if they differ. Such counts are left out.
@@ -204,8 +204,8 @@ impl Ladder {
         Ok(stays)
     }
 
-    /// The tolerance from which on all answers are the same, to the bit, and their error, if that is
-    /// more than rounding: two decades of tolerances show it, or all that were asked for.
+    /// The tolerance from which on all answers are the same, to the bit, and their error, if that
+    /// is more than rounding: two decades of tolerances show it, or all that were asked for.
     pub fn idle(&self) -> Option<Floor> {
         let last = self.rungs.last()?;
         let first = self.rungs.iter().rposition(|it| !it.equals(last)).map_or(0, |k| k + 1);
@@ -493,8 +493,9 @@ mod tests {
         }
     }
 
-    /// Catches: a tolerance that does nothing asked for down to the last, which may take minutes; one
-    /// that does nothing over two decades only, as of a solver that halves its steps, taken for it.
+    /// Catches: a tolerance that does nothing asked for down to the last, which may take minutes;
+    /// one that does nothing over two decades only, as of a solver that halves its steps, taken for
+    /// it.
     #[test]
     fn a_tolerance_that_does_nothing_is_told_by_four_answers() {
         let climbed = |taken| {

@@ -212,8 +212,8 @@ fn uneven(ladder: &Ladder) -> SolverCause {
 }
 
 /// The end of a rotation that is the state of another time, which it has but once; and the same of
-/// a run of half the time, as a clock that is wrong is half as wrong there, and of its states on the
-/// way, which are right where the last step alone is wrong.
+/// a run of half the time, as a clock that is wrong is half as wrong there, and of its states on
+/// the way, which are right where the last step alone is wrong.
 fn other_time(found: &Found) -> Option<SolverCause> {
     let Scenes { duration, .. } = found.scenes;
     let later = shift(&found.scenes, duration, found.ladder.rungs.last()?.ends[RUNS - 1])?;

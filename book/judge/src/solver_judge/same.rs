@@ -18,9 +18,9 @@ struct Off {
     bound: f64,
 }
 
-/// What is to be said of the errors of a `run` at the usual tolerance and at a tight one, where a usual
-/// error covers nothing: `measure` has the error and its bound. Of a tight tolerance without an
-/// answer nothing is said.
+/// What is to be said of the errors of a `run` at the usual tolerance and at a tight one, where a
+/// usual error covers nothing: `measure` has the error and its bound. Of a tight tolerance without
+/// an answer nothing is said.
 fn off(
     ladder: &Ladder,
     run: &'static str,
@@ -78,9 +78,9 @@ const FAR: f64 = 1e6;
 /// And in single precision, where t has steps of 8·10⁻⁶ s there.
 const FAR_SINGLE: f64 = 100.0;
 
-/// Runs that begin at t₀ = ±10⁶ s, or ±100 s in single precision. Each step rounds t there by half a
-/// unit in the last place, and always alike if the steps are; the state moves no faster than at the
-/// bottom.
+/// Runs that begin at t₀ = ±10⁶ s, or ±100 s in single precision. Each step rounds t there by half
+/// a unit in the last place, and always alike if the steps are; the state moves no faster than at
+/// the bottom.
 pub fn start(asked: Asked<'_>, ladder: &Ladder) -> Measured<Finding> {
     let Scenes { g_over_l, starts, duration, epsilon } = asked.scenes;
     let (far, name) = match asked.scenes.coarser() > 1.0 {

@@ -2,9 +2,9 @@
 //!
 //! An error of the energy is one of the frequency, which grows with the time in the phase: in long
 //! runs it covers the error that has the power of the order. A method of even order p hardly loses
-//! energy by its leading term, whose sign turns with the motion, but by the next, of power p + 1; so
-//! the error of a long run falls with a power between p and p + 1. In half a swing neither has had
-//! time to grow. The mean square of six starts has no error that vanishes by chance.
+//! energy by its leading term, whose sign turns with the motion, but by the next, of power p + 1;
+//! so the error of a long run falls with a power between p and p + 1. In half a swing neither has
+//! had time to grow. The mean square of six starts has no error that vanishes by chance.
 
 use super::asked::{Asked, Power, power};
 use super::ladder::{LAST, Ladder};
@@ -55,9 +55,9 @@ pub fn order(asked: Asked<'_>, ladder: &Ladder) -> Measured<Option<Power>> {
     Ok(power(&points[points.len().saturating_sub(LAST)..]))
 }
 
-/// Without the points whose error is the floor to which it falls, as that of states with few digits:
-/// if the last four, which are a decade and a half of tolerances, do not fall by a factor of 6, as
-/// those of an order of 2 do and more.
+/// Without the points whose error is the floor to which it falls, as that of states with few
+/// digits: if the last four, which are a decade and a half of tolerances, do not fall by a factor
+/// of 6, as those of an order of 2 do and more.
 fn above_floor(points: &[(f64, f64)]) -> &[(f64, f64)] {
     let falls = |four: &[(f64, f64)]| four[3].1 - four[0].1 > libm::log(6.0);
     if points.windows(4).last().is_none_or(falls) {

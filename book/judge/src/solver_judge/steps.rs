@@ -216,8 +216,8 @@ fn within(power: Power, claimed: u32, [lower, upper]: [f64; 2]) -> Verdict {
     }
 }
 
-/// The order, from error against evaluations: of short runs, or of the long ones where those are not
-/// answered.
+/// The order, from error against evaluations: of short runs, or of the long ones where those are
+/// not answered.
 pub fn order(ladder: &Ladder, claimed: Option<u32>) -> Measured<Finding> {
     counted(ladder)?;
     let (power, kept): (_, fn(Power, u32) -> Verdict) = match ladder.in_short {

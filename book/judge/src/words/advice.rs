@@ -65,8 +65,8 @@ impl fmt::Display for Cause {
             Self::Shown(shown) => f.write_str(&of_cause(shown)),
             Self::FirstStepAlone { order } => write!(
                 f,
-                "Only the first step is of order {order}: its error goes with h{}, and those of all \
-                 others with a higher power, as a run is of order {}. Look at how it is begun",
+                "Only the first step is of order {order}: its error goes with h{}, and those of \
+                 all others with a higher power, as a run is of order {}. Look at how it is begun",
                 raised(*order as usize + 1),
                 order + 1
             ),
@@ -147,7 +147,8 @@ impl fmt::Display for Cause {
                     ),
                     Some(11) => write!(
                         f,
-                        "A step rounds by {by}: half precision, as its numbers have 11 binary digits"
+                        "A step rounds by {by}: half precision, as its numbers have 11 binary \
+                         digits"
                     ),
                     Some(digits) => {
                         write!(f, "A step rounds by {by}: its numbers have {digits} binary digits")

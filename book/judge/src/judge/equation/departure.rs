@@ -33,8 +33,8 @@ pub enum Range {
     OfATurn,
 }
 
-/// In what a program departs from the pendulum, θ̇ = ω and ω̇ = −(g/L) sin θ, from the step, or from
-/// the way in which states are to be returned. Numbers are in rad, rad/s, s and 1/s².
+/// In what a program departs from the pendulum, θ̇ = ω and ω̇ = −(g/L) sin θ, from the step, or
+/// from the way in which states are to be returned. Numbers are in rad, rad/s, s and 1/s².
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Departure {

@@ -1,5 +1,5 @@
-//! The form of an equation that was found: which function of the angle is the force, times what, and
-//! what acts besides.
+//! The form of an equation that was found: which function of the angle is the force, times what,
+//! and what acts besides.
 
 use core::f64::consts::PI;
 

@@ -108,7 +108,7 @@ const BY_TURNS: &str = "read -r line; echo hello 1; while read -r kind g a w h n
 #[test]
 fn a_program_with_extreme_answers_is_judged() {
     let words = ["sh", "-c", BY_TURNS];
-    let program = started(&words, 600.0).expect("it keeps the protocol");
+    let program = started(words, 600.0).expect("it keeps the protocol");
     let reply = program.answer(&request(0.1, 2).every(1)).expect("two states");
     let numbers = reply.states.iter().flat_map(|z| [z.theta, z.omega]);
     assert!(numbers.eq([1e308, -f64::MAX, 5e-324, -0.0]), "{reply:?}");
