@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use anyhow::Context;
 use clap::{Args, ValueEnum};
@@ -168,8 +168,9 @@ pub fn run(arguments: &Arguments, out: &mut dyn Write) -> Result<(), Failure> {
         Judged { command: &command, name: &name, claims: &arguments.claims, report: &report };
     let mut destination = destination;
     if let Some(destination) = &mut destination {
-        let today = jiff::Zoned::now().date().to_string();
-        let html = page::html(&judged, &today);
+        // 2026-11-29T00:40:13Z: the day, in UTC.
+        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+        let html = page::html(&judged, now.split('T').next().unwrap_or(&now));
         destination.write_all(html.as_bytes()).context("--report").map_err(refused)?;
         destination.flush().context("--report").map_err(refused)?;
     }
