@@ -11,5 +11,6 @@ mod dynamics;
 mod kepler;
 mod known_answers;
 mod magnetic;
+mod many_bodies;
 mod shaken;
 mod symmetric_steps;
