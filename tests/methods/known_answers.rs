@@ -5,7 +5,7 @@ use pendula::registry::{ByName, methods_for_separable};
 use pendula::systems::Damped;
 use pendula::{AnyMethod, Driven, Grid, Pendulum, Phase, Separable, System};
 use pendula_judge::known_answers::{self, Answer, Known, Scene};
-use pendula_judge::{Chosen, Request, Stranger};
+use pendula_judge::{Chosen, Integrator, Request};
 
 use crate::common::{in_seconds, on};
 

@@ -187,8 +187,8 @@ fn verlet_turns_the_ellipse_as_its_law_says(#[values(0.1, 0.4, 0.6)] e: f64) {
     assert!(errors[1].abs() < 0.3 * errors[0].abs(), "{errors:?}");
 }
 
-/// The direction of an ellipse of eccentricity 0.6, after a hundred revolutions of `steps` steps each
-/// (rad). It is taken at the apocentre, where it is steadiest.
+/// The direction of an ellipse of eccentricity 0.6, after a hundred revolutions of `steps` steps
+/// each (rad). It is taken at the apocentre, where it is steadiest.
 fn turned_by<M: Method<Kepler>>(method: &M, steps: u64) -> f64 {
     let (centre, ellipse) = planet(0.6);
     let period = ellipse.period();

@@ -73,8 +73,8 @@ fn fraction(step: f64) -> f64 {
 /// Störmer–Verlet conserves ω² + (1 − x²/4)ω₀²θ² of an oscillator, x = 2π/N with N steps to its
 /// period. So a mode that begins in the middle has at the ends (x²/4)/(1 − x²/4) of its energy too
 /// much. The fastest mode has the fewest steps, so the energy of all is off by less than that
-/// fraction of what is in the vibrations. In larger ones the potential is no parabola, but the bound
-/// still holds, because the other modes are slower and use up less than half of it.
+/// fraction of what is in the vibrations. In larger ones the potential is no parabola, but the
+/// bound still holds, because the other modes are slower and use up less than half of it.
 ///
 /// With half the step the error falls to a quarter; the largest one in a run, which chance decides,
 /// by three to six.
@@ -99,9 +99,10 @@ fn the_energy_is_as_good_as_the_fastest_vibration_says(#[values(1.0, 2.0, 3.0)] 
     assert!((3.0..6.0).contains(&(long / short)), "{long:e} with 0.02, {short:e} with 0.01");
 }
 
-/// Three steps to the fastest period are x = 2π/3, beyond 2: that mode, which has about a thousandth
-/// of the energy of the book's velocities squared, grows by 1.84 in each step until the crystal
-/// explodes, a million million million millionfold in a hundred steps. With 3.3 steps x is 1.9.
+/// Three steps to the fastest period are x = 2π/3, beyond 2: that mode, which has about a
+/// thousandth of the energy of the book's velocities squared, grows by 1.84 in each step until the
+/// crystal explodes, a million million million millionfold in a hundred steps. With 3.3 steps x is
+/// 1.9.
 ///
 /// Catches: a limit of stability that is looked for in the crystal's slow motion.
 #[test]

@@ -90,7 +90,7 @@ fn other_implicit_methods_are_not_conjugate_by_half_a_step_of_euler() {
 }
 
 /// Catches: a processor that is not undone by its inverse, or only to some power of the step; a
-/// kernel with another coefficient; a state of the kernel handed out as the seen one; a change of
+/// kernel with another coefficient; a state of the kernel returned as the seen one; a change of
 /// variables in each step, where rounding adds up.
 #[test]
 fn a_processed_method_is_its_kernel_between_changes_of_variables() {

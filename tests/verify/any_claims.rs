@@ -6,7 +6,7 @@ use std::cell::Cell;
 use pendula::Phase;
 use pendula::methods::{Rk4, StormerVerlet};
 use pendula_judge::{
-    Chosen, Claims, Drive, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict,
+    Chosen, Claims, Drive, Fault, FromFn, Integrator, Property, Reply, Report, Request, Verdict,
     judge, try_judge,
 };
 use rstest::rstest;
@@ -26,7 +26,7 @@ const MOST_STEPS: u64 = 740_000;
 /// Ends a judgement that asks for more than it may, so that what would take for ever fails at once,
 /// or that asks for what the protocol does not have.
 struct Metered<'a> {
-    stranger: &'a dyn Stranger,
+    integrator: &'a dyn Integrator,
     requests: Cell<u64>,
     steps: Cell<u64>,
     /// Of a request.
@@ -34,13 +34,13 @@ struct Metered<'a> {
 }
 
 impl<'a> Metered<'a> {
-    fn new(stranger: &'a dyn Stranger) -> Self {
+    fn new(integrator: &'a dyn Integrator) -> Self {
         let [requests, steps, most] = [0; 3].map(Cell::new);
-        Self { stranger, requests, steps, most }
+        Self { integrator, requests, steps, most }
     }
 }
 
-impl Stranger for Metered<'_> {
+impl Integrator for Metered<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         self.requests.set(self.requests.get() + 1);
         self.steps.set(self.steps.get() + request.steps);
@@ -50,19 +50,20 @@ impl Stranger for Metered<'_> {
         let Request { g_over_l, start: Phase { theta, omega }, step, every, .. } = *request;
         let finite = [g_over_l, theta, omega, step].iter().all(|x| x.is_finite());
         assert!(finite && step != 0.0 && request.steps.is_multiple_of(every), "{request}");
-        self.stranger.answer(request)
+        self.integrator.answer(request)
     }
 
     fn longest_run(&self) -> u64 {
-        self.stranger.longest_run()
+        self.integrator.longest_run()
     }
 }
 
-/// The report on `stranger`, which comes soon, and says nothing of a NaN: a state that is none is
+/// The report on `integrator`, which comes soon, and says nothing of a NaN: a state that is none is
 /// said to be so.
 #[track_caller]
-fn judged(stranger: &dyn Stranger, claims: &Claims) -> Report {
-    let report = try_judge(&Metered::new(stranger), claims.clone()).expect("it keeps the protocol");
+fn judged(integrator: &dyn Integrator, claims: &Claims) -> Report {
+    let report =
+        try_judge(&Metered::new(integrator), claims.clone()).expect("it keeps the protocol");
     let text = report.to_string();
     assert!(!text.contains("NaN"), "{claims}: {text}");
     let values = report.findings.iter().flat_map(|finding| &finding.values);
@@ -82,8 +83,8 @@ fn extreme_claims() -> Vec<Claims> {
     claims
 }
 
-/// A stranger whose state after step k from (θ, ω) is that.
-fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
+/// An integrator whose state after step k from (θ, ω) is that.
+fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Integrator> {
     Box::new(FromFn(move |_: f64, theta: f64, omega: f64, _: f64, n: u64| {
         (1..=n).map(move |k| state(theta, omega, k))
     }))
@@ -110,9 +111,9 @@ fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
 #[case::a_state_too_many(Box::new(FromFn(|_: f64, theta: f64, omega: f64, _: f64, n: u64| {
     vec![(theta, omega); n as usize + 1]
 })))]
-fn a_judgement_ends_whatever_is_claimed(#[case] stranger: Box<dyn Stranger>) {
+fn a_judgement_ends_whatever_is_claimed(#[case] integrator: Box<dyn Integrator>) {
     for claims in extreme_claims() {
-        judged(&*stranger, &claims);
+        judged(&*integrator, &claims);
     }
 }
 
@@ -157,14 +158,14 @@ struct Wild {
     seed: u64,
 }
 
-impl Stranger for Wild {
+impl Integrator for Wild {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let Request { start: Phase { theta, omega }, step, g_over_l, .. } = *request;
         let bits = [theta, omega, step, g_over_l].map(f64::to_bits);
         let mix = |sum: u64, x: u64| (sum ^ x).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
         let mut random = Random::new(bits.into_iter().fold(self.seed, mix));
         let mut below = |n: u64| (random.between(0.0, 1.0) * n as f64) as u64;
-        // Of each stranger alone: how wild it is, and in what.
+        // Of each integrator alone: how wild it is, and in what.
         let wild = [2, 20, 500, 20_000][self.seed as usize % 4];
         if below(10 * wild) == 0 {
             return Err(Fault::Unsupported);
@@ -199,7 +200,7 @@ impl Stranger for Wild {
     }
 }
 
-/// Two strangers of each wildness and of each longest run.
+/// Two integrators of each wildness and of each longest run.
 ///
 /// Catches: an answer that is taken on trust: a state that is not there, a NaN that is compared, a
 /// number of evaluations that overflows; a run of no steps, where none is possible in time; states
@@ -208,19 +209,19 @@ impl Stranger for Wild {
 fn a_judgement_ends_whatever_is_answered() {
     let claims = extreme_claims();
     for seed in 0..64 {
-        let stranger = Wild { seed };
+        let integrator = Wild { seed };
         let claims = claims[seed as usize % claims.len()].clone();
-        let report = try_judge(&Metered::new(&stranger), claims);
+        let report = try_judge(&Metered::new(&integrator), claims);
         let text = report.expect("it keeps the protocol").to_string();
         assert!(!text.contains("NaN"), "{seed}: {text}");
     }
 }
 
-/// Catches: a run longer than its stranger answers in time, where a shorter one would do.
+/// Catches: a run longer than its integrator answers in time, where a shorter one would do.
 #[test]
 fn no_run_is_longer_than_its_stranger_allows() {
     struct Slow(u64);
-    impl Stranger for Slow {
+    impl Integrator for Slow {
         fn answer(&self, request: &Request) -> Result<Reply, Fault> {
             Rk4.answer(request)
         }
@@ -344,7 +345,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
         (0..n).map(move |_| (theta, omega))
     });
     let listed = Chosen::named("rk4").unwrap();
-    let entries: [&dyn Stranger; 3] = [&StormerVerlet, &listed, &function];
+    let entries: [&dyn Integrator; 3] = [&StormerVerlet, &listed, &function];
     let (mut answered, mut refused) = (0, 0);
     for request in extreme_requests() {
         let Request { steps, every, start, step, .. } = request;
@@ -353,8 +354,8 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
         let allowed = fits && steps / every <= 10_000_000 && numbers && step != 0.0;
         // Long runs take seconds, and the library's are answered alike.
         let few = if allowed && steps > 1_000_000 { &entries[..1] } else { &entries[..] };
-        for stranger in few {
-            match stranger.answer(&request) {
+        for integrator in few {
+            match integrator.answer(&request) {
                 Ok(reply) => {
                     assert!(allowed, "{request}");
                     assert_eq!(reply.states.len() as u64, request.states(), "{request}");
@@ -376,7 +377,7 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
 #[test]
 fn only_a_broken_protocol_panics() {
     struct Broken;
-    impl Stranger for Broken {
+    impl Integrator for Broken {
         fn answer(&self, _: &Request) -> Result<Reply, Fault> {
             Err(Fault::Broken("it ended".to_string()))
         }

@@ -3,7 +3,7 @@
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict, judge,
+    Claims, Fault, FromFn, Integrator, Property, Reply, Report, Request, Verdict, judge,
 };
 use rstest::rstest;
 
@@ -177,7 +177,7 @@ fn wrong_beyond_the_usual_is_refused(#[case] property: &str, #[case] program: Pr
 #[test]
 fn what_lies_beyond_need_not_be_answered() {
     struct Near;
-    impl Stranger for Near {
+    impl Integrator for Near {
         fn answer(&self, request: &Request) -> Result<Reply, Fault> {
             let Phase { theta, omega } = request.start;
             let fast = omega.abs() > 4.0 * request.g_over_l.sqrt();

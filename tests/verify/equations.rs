@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Departure, Fault, FromFn, Kind, Reply, Report, Request, Stranger, Verdict, judge,
+    Claims, Departure, Fault, FromFn, Integrator, Kind, Reply, Report, Request, Verdict, judge,
     try_judge,
 };
 use rstest::rstest;
@@ -819,7 +819,7 @@ fn ten_seconds(g: f64, theta: f64, omega: f64, _: f64, n: u64) -> Vec<State> {
 }
 
 /// Catches: a mistake named since one of its answers is met; a number that holds at one g/L handed
-/// on for all; a factor of what is taken told of what is handed out; what acts at t = 0 taken for
+/// on for all; a factor of what is taken told of what is returned; what acts at t = 0 taken for
 /// what acts always; an equation behind another output that is not looked for.
 #[rstest]
 #[case::saturated(
@@ -889,7 +889,7 @@ fn no_more_is_told_than_is_found(
 /// A program that ends, as many do, where its numbers are too large.
 struct Ending(Program);
 
-impl Stranger for Ending {
+impl Integrator for Ending {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let reply = FromFn(self.0).answer(request)?;
         let large = |z: &Phase| !(z.theta.abs() < 30.0 && z.omega.abs() < 30.0);
@@ -919,7 +919,7 @@ fn a_program_that_breaks_off_is_told_its_equation() {
 /// A program that refuses angles beyond half a turn, steps back and long ones.
 struct Refusing(Program);
 
-impl Stranger for Refusing {
+impl Integrator for Refusing {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let long = !(0.0..0.1).contains(&request.step);
         if long || request.start.theta.abs() > PI {

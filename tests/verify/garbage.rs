@@ -1,14 +1,14 @@
-//! Strangers that answer with any numbers.
+//! Integrators that answer with any numbers.
 
 use std::cell::RefCell;
 
 use pendula::{Phase, StormerVerlet};
-use pendula_judge::{Claims, Fault, Reply, Request, Stranger, try_judge};
+use pendula_judge::{Claims, Fault, Integrator, Reply, Request, try_judge};
 
 use crate::common::Random;
 
-/// A stranger that answers with garbage: any states, as many as asked for or not; or with those of
-/// a method, now and then spoilt.
+/// An integrator that answers with garbage: any states, as many as asked for or not; or with those
+/// of a method, now and then spoilt.
 struct Garbage {
     random: RefCell<Random>,
     spoils: usize,
@@ -23,7 +23,7 @@ fn phases(any: &mut Random, count: usize) -> Vec<Phase> {
     (0..count).map(|_| phase(any)).collect()
 }
 
-impl Stranger for Garbage {
+impl Integrator for Garbage {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let mut any = self.random.borrow().clone();
         self.random.borrow_mut().bits();
@@ -52,7 +52,7 @@ impl Stranger for Garbage {
     }
 }
 
-/// Twenty strangers, each with claims of any order.
+/// Twenty integrators, each with claims of any order.
 ///
 /// Catches: a panic or a loop without an end at numbers that no method returns; a report that
 /// cannot be written out, a fault without a word.
@@ -60,7 +60,7 @@ impl Stranger for Garbage {
 fn garbage_is_judged_or_refused() {
     let mut any = Random::new(7);
     let (mut judged, mut refused) = (0, 0);
-    for stranger in 0..20 {
+    for integrator in 0..20 {
         let garbage = Garbage {
             random: RefCell::new(Random::new(any.bits())),
             spoils: any.one_of(&[0, 0, 3, 30]),
@@ -74,7 +74,7 @@ fn garbage_is_judged_or_refused() {
             }
             Err(fault) => {
                 refused += 1;
-                assert!(!fault.to_string().is_empty(), "{stranger}");
+                assert!(!fault.to_string().is_empty(), "{integrator}");
             }
         }
     }

@@ -6,8 +6,8 @@ use std::cell::Cell;
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Fault, FromFn, Property, Reply, Report, Request, SolveFn, SolveRequest, Solver,
-    Stranger, Verdict, judge, judge_solver,
+    Claims, Fault, FromFn, Integrator, Property, Reply, Report, Request, SolveFn, SolveRequest,
+    Solver, Verdict, judge, judge_solver,
 };
 use rstest::rstest;
 
@@ -318,7 +318,7 @@ fn equal_steps_in_single_precision_hold() {
 /// A method that never returns from a step back.
 struct Onward(Cell<u64>);
 
-impl Stranger for Onward {
+impl Integrator for Onward {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         assert!(request.step > 0.0, "it would never return: {request}");
         self.0.set(self.0.get() + 1);

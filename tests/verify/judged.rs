@@ -6,7 +6,7 @@ use pendula::methods::{ForwardEuler, Gauss16, Heun, Rk4, StormerVerlet};
 use pendula::{AnyMethod, method_named};
 use pendula_judge::zoo::impostor_named;
 use pendula_judge::{
-    Chosen, Claims, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict, judge,
+    Chosen, Claims, Fault, FromFn, Integrator, Property, Reply, Report, Request, Verdict, judge,
     known_answers, sign_of_slopes,
 };
 use rstest::rstest;
@@ -14,8 +14,8 @@ use rstest::rstest;
 use crate::looks::{Driven, Run, rk4, the_drive_at_the_steps_start, told};
 
 /// Asserts that all claims of its entry hold, and that it is recognised.
-fn assert_itself(stranger: &impl Stranger, method: &dyn AnyMethod) -> Report {
-    let report = judge(stranger, Claims::of(&method.info()));
+fn assert_itself(integrator: &impl Integrator, method: &dyn AnyMethod) -> Report {
+    let report = judge(integrator, Claims::of(&method.info()));
     assert_eq!(report.verdict, Verdict::Holds, "{report}");
     let identity = report.identity.as_ref().expect("it is on the list");
     assert!(identity.is_plain() && identity.method == method.info().name, "{report}");
@@ -95,7 +95,7 @@ struct Late {
     g_over_l: Cell<Option<f64>>,
 }
 
-impl Stranger for Late {
+impl Integrator for Late {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let known = self.g_over_l.replace(Some(request.g_over_l));
         let mut late = *request;
@@ -111,8 +111,8 @@ fn what_remembers_the_last_pendulum_is_not_repeatable() {
     assert!(report.failures().any(|property| property == Property::Repeatable), "{report}");
 }
 
-/// Catches: a stranger that answers too little taken for one that fails nothing, and a judge that
-/// gives up on it.
+/// Catches: an integrator that answers too little taken for one that fails nothing, and a judge
+/// that gives up on it.
 #[test]
 fn a_state_too_few_is_a_wrong_clock() {
     let short = FromFn(|_: f64, theta: f64, omega: f64, _: f64, n: u64| {
@@ -132,7 +132,7 @@ fn a_state_too_few_is_a_wrong_clock() {
 /// RK4 whose states have the digits of single precision.
 struct Single;
 
-impl Stranger for Single {
+impl Integrator for Single {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let mut reply = Rk4.answer(request)?;
         for z in &mut reply.states {
@@ -145,7 +145,7 @@ impl Stranger for Single {
 /// RK4 that adds a thousandth of x³, where x = h √(g/L), to the angle after each step.
 struct Nearly;
 
-impl Stranger for Nearly {
+impl Integrator for Nearly {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);
@@ -166,7 +166,7 @@ impl Stranger for Nearly {
 /// Refuses every request.
 struct Silent;
 
-impl Stranger for Silent {
+impl Integrator for Silent {
     fn answer(&self, _: &Request) -> Result<Reply, Fault> {
         Err(Fault::Refused("the table is empty".to_string()))
     }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, Fault, Property, Reply, Request, Stranger, Verdict, judge, known_answers,
+    Claims, Fault, Integrator, Property, Reply, Request, Verdict, judge, known_answers,
 };
 use rstest::rstest;
 
@@ -17,14 +17,14 @@ pub type Run = fn(Force<'_>, Phase, f64, u64) -> Vec<Phase>;
 /// The force at a time and an angle.
 pub type Force<'a> = &'a dyn Fn(f64, f64) -> f64;
 
-/// A run as a stranger that can be driven.
+/// A run as an integrator that can be driven.
 pub struct Driven {
     pub run: Run,
     /// What it takes g/L for, by what it is told.
     pub g_over_l: fn(f64) -> f64,
 }
 
-impl Stranger for Driven {
+impl Integrator for Driven {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let g = (self.g_over_l)(request.g_over_l);
         let force = |t: f64, theta: f64| {
@@ -351,10 +351,10 @@ fn each_failure_follows_from_one_cause() {
     }
 }
 
-/// A stranger that is asked the same by each judge and runs once.
+/// An integrator that is asked the same by each judge and runs once.
 struct Remembered<S>(S, RefCell<HashMap<String, Reply>>);
 
-impl<S: Stranger> Stranger for Remembered<S> {
+impl<S: Integrator> Integrator for Remembered<S> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let known = self.1.borrow().get(&request.to_string()).cloned();
         known.map_or_else(|| self.0.answer(request), Ok).inspect(|reply| {
@@ -377,11 +377,11 @@ fn rk4_in_single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase>
 /// Catches: a name that is given for its large tolerance; a right program refused its own.
 #[test]
 fn of_the_methods_that_fit_it_is_the_one_that_is_near() {
-    let stranger = Driven { run: rk4_in_single_precision, g_over_l: told };
-    let stranger = Remembered(stranger, RefCell::default());
+    let integrator = Driven { run: rk4_in_single_precision, g_over_l: told };
+    let integrator = Remembered(integrator, RefCell::default());
     let names = known_answers::methods().iter().map(|known| known.name.as_str());
     let holds = |name: &&str| {
-        let report = judge(&stranger, Claims::none().name(*name));
+        let report = judge(&integrator, Claims::none().name(*name));
         report.finding(Property::Name).is_some_and(|finding| finding.verdict == Verdict::Holds)
     };
     let fit: Vec<&str> = names.filter(holds).collect();

@@ -303,7 +303,7 @@ pub const AB3: [f64; 3] = [23.0 / 12.0, -16.0 / 12.0, 5.0 / 12.0];
 pub const AB5: [f64; 5] =
     [1901.0 / 720.0, -2774.0 / 720.0, 2616.0 / 720.0, -1274.0 / 720.0, 251.0 / 720.0];
 
-/// What a program does to the states that it hands out, the start among them.
+/// What a program does to the states that it returns, the start among them.
 pub fn handed_out(
     program: Program,
     change: impl Fn(&[State], usize) -> State,

@@ -6,7 +6,7 @@
 
 use pendula::{METHODS, Phase};
 use pendula_judge::{
-    Chosen, Claims, Fault, FromFn, Property, Reply, Report, Request, Stranger, Verdict, judge,
+    Chosen, Claims, Fault, FromFn, Integrator, Property, Reply, Report, Request, Verdict, judge,
 };
 
 use crate::common::Random;
@@ -16,7 +16,7 @@ use crate::programs::*;
 // Right ones
 // -------------------------------------------------------------------------------------------------
 
-/// How numbers are handed out.
+/// How numbers are returned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Format {
     Double,
@@ -54,7 +54,7 @@ struct Dressed {
     alone: bool,
 }
 
-impl Stranger for Dressed {
+impl Integrator for Dressed {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         if (self.ahead && request.step < 0.0) || (self.alone && request.drive.is_some()) {
             return Err(Fault::Unsupported);
@@ -102,12 +102,12 @@ fn right(random: &mut Random) -> Dressed {
 }
 
 /// What is wrong with the report on a right program; nothing, if nothing is.
-fn complaint_about_a_right_one(stranger: &Dressed, report: &Report) -> Option<String> {
-    let name = stranger.method.pendulum.info().name;
+fn complaint_about_a_right_one(integrator: &Dressed, report: &Report) -> Option<String> {
+    let name = integrator.method.pendulum.info().name;
     let named = report.identity.as_ref().filter(|known| !known.is_plain() || known.method != name);
     let refused: Vec<&str> = report
         .failures()
-        .filter(|it| !(*it == Property::Precision && stranger.format.is_coarse()))
+        .filter(|it| !(*it == Property::Precision && integrator.format.is_coarse()))
         .map(Property::name)
         .collect();
     let of_digits = |line: &&String| !line.contains("It prints") && !line.contains("it prints");
@@ -124,14 +124,14 @@ fn complaint_about_a_right_one(stranger: &Dressed, report: &Report) -> Option<St
 fn right_ones(count: u64, seed: u64) -> Vec<String> {
     let mut random = Random::new(seed);
     let all = (0..count).filter_map(|k| {
-        let stranger = right(&mut random);
-        let info = stranger.method.pendulum.info();
+        let integrator = right(&mut random);
+        let info = integrator.method.pendulum.info();
         // Evaluations of parts are others.
         let claims = Claims { evaluations: None, ..Claims::of(&info) };
         let claims = if k % 3 == 0 { Claims { name: None, ..claims } } else { claims };
-        let report = judge(&stranger, claims);
-        let complaint = complaint_about_a_right_one(&stranger, &report)?;
-        let Dressed { format, from, every, ahead, alone, .. } = stranger;
+        let report = judge(&integrator, claims);
+        let complaint = complaint_about_a_right_one(&integrator, &report)?;
+        let Dressed { format, from, every, ahead, alone, .. } = integrator;
         Some(format!(
             "{} {format:?} from {from} every {every:?} ahead {ahead} alone {alone}: {complaint}",
             info.name
@@ -507,8 +507,8 @@ fn few_decimals_tell_no_lower_order() {
     let method = Chosen::named("yoshida-8").expect("it is on the list");
     let format = Format::Decimals(6);
     for every in [None, Some(1)] {
-        let stranger = Dressed { method, format, from: 0.0, every, ahead: true, alone: true };
-        let report = judge(&stranger, Claims::order(8));
+        let integrator = Dressed { method, format, from: 0.0, every, ahead: true, alone: true };
+        let report = judge(&integrator, Claims::order(8));
         assert!(!report.failures().any(|name| name == Property::Order), "{report}");
     }
 }
@@ -522,14 +522,14 @@ fn few_digits_tell_no_wrong_times() {
     for count in 10..=14 {
         let method = Chosen::named("dop853").expect("it is on the list");
         let format = Format::Digits(count);
-        let stranger =
+        let integrator =
             Dressed { method, format, from: 0.0, every: None, ahead: false, alone: false };
         for claims in [Claims::order(8).name("dop853"), Claims::none().name("dop853")] {
-            let report = judge(&stranger, claims);
+            let report = judge(&integrator, claims);
             let refused = report.failures().filter(|name| *name != Property::Precision).count();
             assert_eq!(refused, 0, "{count}: {report}");
         }
-        let report = judge(&stranger, Claims::order(8));
+        let report = judge(&integrator, Claims::order(8));
         let precision = report.finding(Property::Precision).expect("it is implied");
         assert!(precision.why().contains("significant digits") || count == 14, "{report}");
     }

@@ -2,8 +2,8 @@
 
 use core::time::Duration;
 
+use crate::integrator::{Fault, Integrator, Reply, Request};
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::{Fault, Reply, Request, Stranger};
 
 /// What is claimed to run forward only: of a run backwards it is not asked, as it may never return.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ impl<T: ?Sized> Forward<'_, T> {
     }
 }
 
-impl Stranger for Forward<'_, dyn Stranger + '_> {
+impl Integrator for Forward<'_, dyn Integrator + '_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         Self::unless(request.step < 0.0)?;
         self.0.answer(request)

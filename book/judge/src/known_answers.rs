@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::stranger::Drive;
+use super::integrator::Drive;
 use pendula::systems::Phase;
 
 mod formula;

@@ -1,9 +1,9 @@
 //! The judge: what an integrator really is, and whether it keeps what is claimed of it.
 //!
 //! Any integrator can be judged, in any language: all that is asked of it is a map from (g/L, θ, ω,
-//! h, n) to states. Each property is measured with a tolerance that is derived from the stranger's
-//! own rounding, which is measured first; and a claim that a measurement is too coarse to tell, or
-//! that was not measured, is said to be so.
+//! h, n) to states. Each property is measured with a tolerance that is derived from the
+//! integrator's own rounding, which is measured first; and a claim that a measurement is too coarse
+//! to tell, or that was not measured, is said to be so.
 //!
 //! A test of an integrator of one's own, which is a function for one step:
 //!
@@ -63,19 +63,20 @@
 //! ```
 //!
 //! Of whom anything is claimed, this is claimed by implication: that it solves the pendulum's
-//! equation, hands out its states as they are, and respects the mirror, the unit of time and a full
+//! equation, returns its states as they are, and respects the mirror, the unit of time and a full
 //! turn; that n steps are n·h, that the same question has the same answer, that it computes in
 //! double precision, and that its stages know the time, if it can be driven. Without claims it is
 //! said what it is, and nothing is judged.
 //!
-//! A program in another language is a stranger too: [`Program`] starts it and speaks the lines of
-//! the [`protocol`] with it. For other programs a report is written in one of the [`formats`].
+//! A program in another language is an integrator too: [`Program`] starts it and speaks the lines
+//! of the [`protocol`] with it. For other programs a report is written in one of the [`formats`].
 //!
 //! [`properties`] are the stricter checks that each method of the library passes.
 
 mod finding;
 pub mod formats;
 mod forward;
+mod integrator;
 mod judge;
 pub mod known_answers;
 pub mod printable;
@@ -86,12 +87,12 @@ pub mod protocol;
 mod solver;
 mod solver_judge;
 mod step_fn;
-mod stranger;
 mod words;
 #[cfg(feature = "zoo")]
 pub mod zoo;
 
 pub use finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
+pub use integrator::{Chosen, Drive, Fault, FromFn, Integrator, Reply, Request};
 pub use judge::{
     Added, Advice, But, Cause, ClaimError, Claims, Departure, Description, Deviation, Equation,
     Evidence, Identity, Kind, Nearest, Of, Place, Range, Report, Resemblance, Rows, Seen,
@@ -105,7 +106,6 @@ pub use solver::{
 pub use solver_judge::found::{Ended, Ends, Falls, PowerOf, WrongPassage, WrongRows};
 pub use solver_judge::{DrivenCause, OfSolver, SolverCause, judge_solver, try_judge_solver};
 pub use step_fn::FromStep;
-pub use stranger::{Chosen, Drive, Fault, FromFn, Reply, Request, Stranger};
 #[doc(hidden)]
 pub use words::{
     numbers::{Scientific, scientific},

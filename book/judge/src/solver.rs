@@ -9,7 +9,7 @@ use std::time::Instant;
 use pendula::adaptive::{Adaptive, Controlled, Direction, Tolerance};
 use pendula::systems::{Driven, Pendulum, Phase, System};
 
-use super::stranger::{Drive, Fault, Reply, driven};
+use super::integrator::{Drive, Fault, Reply, driven};
 
 /// A run that a solver is asked for: θ̈ + (g/L) sin θ = 0, or with a drive.
 ///

@@ -1,12 +1,12 @@
-//! A function for one step, as a stranger.
+//! A function for one step, as an integrator.
 
 use core::fmt;
 
 use pendula::systems::{Counting, Phase, Separable};
 
-use crate::stranger::{Fault, NOTHING, Reply, Request, Stranger, pendulum};
+use crate::integrator::{Fault, Integrator, NOTHING, Reply, Request, pendulum};
 
-/// A stranger that is a function for one step: of the force, θ (rad), ω (rad/s) and h (s), which
+/// An integrator that is a function for one step: of the force, θ (rad), ω (rad/s) and h (s), which
 /// returns θ and ω one step later. `force(theta)` is the angular acceleration −(g/L) sin θ (1/s²),
 /// and how often it is called is counted.
 ///
@@ -30,7 +30,7 @@ use crate::stranger::{Fault, NOTHING, Reply, Request, Stranger, pendulum};
 pub struct FromStep<F>(F);
 
 impl<F: Fn(&dyn Fn(f64) -> f64, f64, f64, f64) -> (f64, f64)> FromStep<F> {
-    /// The stranger that takes each step by `step`.
+    /// The integrator that takes each step by `step`.
     pub const fn new(step: F) -> Self {
         Self(step)
     }
@@ -42,7 +42,7 @@ impl<F> fmt::Debug for FromStep<F> {
     }
 }
 
-impl<F: Fn(&dyn Fn(f64) -> f64, f64, f64, f64) -> (f64, f64)> Stranger for FromStep<F> {
+impl<F: Fn(&dyn Fn(f64) -> f64, f64, f64, f64) -> (f64, f64)> Integrator for FromStep<F> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         if request.drive.is_some() {
             return Err(Fault::Unsupported);

@@ -1,27 +1,27 @@
-//! The stranger beside `known-answers/known-answers.json`: which method it is, or which mistake.
+//! The integrator beside `known-answers/known-answers.json`: which method it is, or which mistake.
 
 use super::claims::Claims;
 use super::probe::Probe;
 use super::verdict::{Measured, told};
+use crate::integrator::Request;
 use crate::known_answers::{self, Answer, Known, Scene};
-use crate::stranger::Request;
 use pendula::systems::Phase;
 
-/// The stranger's states in the scenes of the file.
+/// The integrator's states in the scenes of the file.
 pub struct Answers {
     /// Scene, and the states after 1, 2, … steps.
     runs: Vec<(&'static Scene, Vec<Phase>)>,
     /// What a step rounds by, relative to a state of order 1.
     rounding: f64,
-    /// What a tolerance inside the stranger may make of a step (rad).
+    /// What a tolerance inside the integrator may make of a step (rad).
     tolerance: f64,
 }
 
-/// A method of the file that the stranger can be, and how far it is off.
+/// A method of the file that the integrator can be, and how far it is off.
 #[derive(Clone, Copy, Debug)]
 pub struct Match {
     pub known: &'static Known,
-    /// In the stranger's own roundings, at most.
+    /// In the integrator's own roundings, at most.
     roundings: f64,
     /// In rad or rad/s, at most.
     pub apart: f64,
@@ -29,7 +29,7 @@ pub struct Match {
     pub driven: bool,
 }
 
-/// What the file says of the stranger's name.
+/// What the file says of the integrator's name.
 #[derive(Clone, Debug)]
 pub enum Name {
     /// It is this method, and no other one is near.
@@ -50,12 +50,12 @@ impl Name {
     }
 }
 
-/// How far off a stranger is from an entry.
+/// How far off an integrator is from an entry.
 #[derive(Clone, Copy, Debug, Default)]
 struct Off {
     /// In the file's tolerances, which allow for what the method makes of a rounding.
     tolerances: f64,
-    /// In the stranger's own roundings.
+    /// In the integrator's own roundings.
     roundings: f64,
     /// In rad or rad/s.
     apart: f64,
@@ -65,8 +65,8 @@ struct Off {
 const ALONE: f64 = 10.0;
 
 impl Answers {
-    /// Asks. What a stranger does not answer is left out, and so is what begins later than t = 0:
-    /// a request has no time.
+    /// Asks. What an integrator does not answer is left out, and so is what begins later than t =
+    /// 0: a request has no time.
     pub fn of(probe: &Probe<'_>) -> Measured<Self> {
         let mut runs = Vec::new();
         for scene in known_answers::scenes().iter().filter(|scene| scene.time == 0.0) {
@@ -81,8 +81,8 @@ impl Answers {
             .with_tolerance(200.0 * tolerance))
     }
 
-    /// Of a stranger that answers as the file has it of `known`, each number off by so many of its
-    /// roundings, 2⁻⁵².
+    /// Of an integrator that answers as the file has it of `known`, each number off by so many of
+    /// its roundings, 2⁻⁵².
     #[cfg(test)]
     pub fn as_of(known: &Known, roundings: impl Fn(&Answer) -> f64) -> Self {
         let rounding = f64::EPSILON;
@@ -102,12 +102,12 @@ impl Answers {
         Self { runs, rounding, tolerance: 0.0 }
     }
 
-    /// Of a stranger that answered nothing.
+    /// Of an integrator that answered nothing.
     pub const fn none() -> Self {
         Self { runs: Vec::new(), rounding: 1.0, tolerance: 0.0 }
     }
 
-    /// With what a tolerance inside the stranger makes of 200 steps (rad).
+    /// With what a tolerance inside the integrator makes of 200 steps (rad).
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         // As where library methods are compared: neighbours part by less than a hundred times.
         Self { tolerance: 100.0 * tolerance / 200.0, ..self }

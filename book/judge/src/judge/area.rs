@@ -3,8 +3,8 @@
 use super::probe::{Probe, frequency, step};
 use super::verdict::{Measured, Trouble, Verdict, told};
 use crate::finding::{Finding, Measurement};
+use crate::integrator::Request;
 use crate::properties;
-use crate::stranger::Request;
 use pendula::systems::Phase;
 
 /// Below and above the horizontal, moving and at rest.

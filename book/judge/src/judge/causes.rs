@@ -7,8 +7,8 @@ use super::equation::Departure;
 use super::identity::Asked;
 use super::probe::{G_OVER_L, Probe, distance, frequency, states_after, step};
 use super::verdict::{Measured, Trouble, Verdict, told};
+use crate::integrator::Request;
 use crate::property::Property;
-use crate::stranger::Request;
 use pendula::METHODS;
 use pendula::systems::Phase;
 
@@ -24,7 +24,7 @@ pub enum Shown {
     MoreSteps(u64, i64),
     /// The first steps are so many times as long.
     FirstSteps(Vec<f64>),
-    /// It hands out other rows of the method of this title.
+    /// It returns other rows of the method of this title.
     Rows(Rows, &'static str),
     /// The velocity has this limit (rad/s), whatever g/L is, or in units of √(g/L).
     Limit(f64, bool),
@@ -54,7 +54,7 @@ pub enum TakenStep {
     Least(f64),
 }
 
-/// What is handed out in place of a state.
+/// What is returned in place of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Rows {
@@ -217,7 +217,7 @@ pub(crate) fn adds_up_to_no_slopes(times: &[f64]) -> bool {
     })
 }
 
-/// Whether two numbers are one, but for what the stranger rounds, `times` over.
+/// Whether two numbers are one, but for what the integrator rounds, `times` over.
 fn same(probe: &Probe<'_>, times: f64, a: f64, b: f64) -> bool {
     (a - b).abs() <= times * probe.rounding * a.abs().max(b.abs())
 }
@@ -481,7 +481,7 @@ pub fn turned(probe: &Probe<'_>) -> Measured<Option<Shown>> {
     })
 }
 
-/// The number of binary digits of what is handed out, if these are no more than those of single
+/// The number of binary digits of what is returned, if these are no more than those of single
 /// precision.
 pub fn binary_digits(probe: &Probe<'_>) -> Measured<Option<u32>> {
     let states = probe.states(Request::run(Phase { theta: 0.9, omega: 0.3 }, step(0.1), 30))?;

@@ -1,4 +1,4 @@
-//! What is claimed of a stranger.
+//! What is claimed of an integrator.
 
 use core::fmt;
 use core::str::FromStr;
@@ -54,7 +54,7 @@ pub struct Claims {
 }
 
 impl Claims {
-    /// No claims: it is said what the stranger is, and nothing is judged.
+    /// No claims: it is said what the integrator is, and nothing is judged.
     pub fn none() -> Self {
         Self::default()
     }

@@ -3,7 +3,7 @@
 use super::probe::{Probe, energy, step};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{EnergyLaw, Finding, Measurement};
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 
 /// What became of the energy in a long run.

@@ -9,7 +9,7 @@
 use super::probe::{G_OVER_L, Probe, exact};
 use super::series::{self, least_squares};
 use super::verdict::Measured;
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 
 /// The powers of the step that are looked at: 1 to 4.

@@ -10,13 +10,13 @@ use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states
 use super::report::about;
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement};
+use crate::integrator::Request;
 use crate::known_answers::{self, Known};
 use crate::properties::error_constant::extrapolated;
-use crate::stranger::Request;
 use pendula::systems::{Phase, Separable};
 use pendula::{AnyMethod, METHODS, MethodInfo};
 
-/// From where a method is seen: a stranger's states are those of the method, or lie a part of a
+/// From where a method is seen: an integrator's states are those of the method, or lie a part of a
 /// kick or a drift before them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
@@ -46,14 +46,14 @@ impl Seen {
         Self::ALL.into_iter().filter(|seen| *seen != Self::DIRECTLY)
     }
 
-    /// The stranger's state for one of the method's own.
+    /// The integrator's state for one of the method's own.
     pub fn from_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
         let pendulum = pendulum(g_over_l);
         let z = pendulum.kick(z, pendulum.force(0.0, z), self.kicks * h);
         pendulum.drift(z, self.drifts * h)
     }
 
-    /// The method's own state for a state of the stranger.
+    /// The method's own state for a state of the integrator.
     pub fn into_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
         Self { kicks: -self.kicks, drifts: -self.drifts }.from_its_own(g_over_l, z, h)
     }
@@ -68,7 +68,7 @@ impl fmt::Display for Seen {
     }
 }
 
-/// A known method that a stranger is.
+/// A known method that an integrator is.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Identity {
@@ -166,7 +166,7 @@ pub fn own_states(
     Some(states.into_iter().map(|z| seen.from_its_own(G_OVER_L, z, h)).collect())
 }
 
-/// The stranger's states in a few runs of eight steps, with which known methods are compared.
+/// The integrator's states in a few runs of eight steps, with which known methods are compared.
 pub struct Asked {
     /// Start, step (s) and states, where it answers.
     runs: Vec<(Phase, f64, Vec<Phase>)>,
@@ -190,7 +190,7 @@ impl Asked {
         // Sixteen roundings a step of whoever rounds more coarsely, of an angle of up to 12 rad,
         // and neighbours that part by a factor of ten at most.
         let rounding = 10.0 * 12.0 * 16.0 * COUNT as f64 * probe.rounding / 8.0;
-        // And what a tolerance inside the stranger may add; the long steps are as long as these.
+        // And what a tolerance inside the integrator may add; the long steps are as long as these.
         let tolerance = probe.bound(COUNT, 1.0) - probe.rounding_bound(COUNT, 1.0);
         let in_long_steps = 10.0 * COUNT as f64 * probe.in_long_steps();
         Ok(Self { runs, bound: rounding + 100.0 * tolerance + in_long_steps })
@@ -227,10 +227,10 @@ impl Asked {
     }
 }
 
-/// A method of the library that a stranger may be, seen from elsewhere or by its angles alone.
+/// A method of the library that an integrator may be, seen from elsewhere or by its angles alone.
 type Candidate = (&'static dyn AnyMethod, Seen, f64);
 
-/// The known method that the stranger is; else that of the library: seen directly, to what its
+/// The known method that the integrator is; else that of the library: seen directly, to what its
 /// digits, or a tolerance inside it, allow, from half a kick or drift away, or by its angles alone;
 /// and of several that of the order `shown`.
 pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<Option<Identity>> {
@@ -253,7 +253,7 @@ pub fn identify(probe: &Probe<'_>, name: &Name, shown: Option<u32>) -> Measured<
     Ok(None)
 }
 
-/// The first of `methods` whose states, as they are or seen from elsewhere, are the stranger's;
+/// The first of `methods` whose states, as they are or seen from elsewhere, are the integrator's;
 /// none if another one's lie within ten times that. What is one map with a method as it is, is that
 /// method, unless that is excluded by more than rounding.
 fn seen(asked: &Asked, methods: &[&'static dyn AnyMethod], angles_only: bool) -> Option<Candidate> {

@@ -5,8 +5,8 @@ use super::identity::Identity;
 use super::probe::{G_OVER_L, Probe, energy, pendulum, step};
 use super::verdict::{Measured, Verdict};
 use crate::finding::{Finding, LossBy, Measurement};
+use crate::integrator::Request;
 use crate::properties::flipped;
-use crate::stranger::Request;
 use pendula::systems::Phase;
 use pendula::{Grid, method_named};
 
@@ -17,7 +17,7 @@ pub struct Loss {
     pub a_step: f64,
     /// What rounding may make of it.
     pub bound: f64,
-    /// What a tolerance inside the stranger may make of it.
+    /// What a tolerance inside the integrator may make of it.
     pub tolerance: f64,
     /// How it was measured.
     pub by: LossBy,

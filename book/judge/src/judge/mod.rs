@@ -41,53 +41,53 @@ use probe::Probe;
 use verdict::{Measured, told};
 
 use super::forward::Forward;
-use super::stranger::{Fault, Stranger};
+use super::integrator::{Fault, Integrator};
 use crate::finding::{Finding, Measurement};
 use crate::property::Property;
 
-/// Judges `stranger` by its `claims`.
+/// Judges `integrator` by its `claims`.
 ///
 /// # Panics
-/// If the stranger breaks the protocol, which a program may do; see [`try_judge`].
+/// If the integrator breaks the protocol, which a program may do; see [`try_judge`].
 #[track_caller]
-pub fn judge(stranger: &dyn Stranger, claims: Claims) -> Report {
-    match try_judge(stranger, claims) {
+pub fn judge(integrator: &dyn Integrator, claims: Claims) -> Report {
+    match try_judge(integrator, claims) {
         Ok(report) => report,
         Err(fault) => panic!("{fault}"),
     }
 }
 
-/// Judges `stranger` by its `claims`.
+/// Judges `integrator` by its `claims`.
 ///
 /// # Errors
-/// [`Fault::Broken`] says what the stranger did, if it broke the protocol.
-pub fn try_judge(stranger: &dyn Stranger, claims: Claims) -> Result<Report, Fault> {
-    let forward = Forward(stranger);
-    let asked: &dyn Stranger = if claims.forward_only { &forward } else { stranger };
+/// [`Fault::Broken`] says what the integrator did, if it broke the protocol.
+pub fn try_judge(integrator: &dyn Integrator, claims: Claims) -> Result<Report, Fault> {
+    let forward = Forward(integrator);
+    let asked: &dyn Integrator = if claims.forward_only { &forward } else { integrator };
     Ok(report(asked, &claims)?.without_word("solve", claims.of_a_solver()))
 }
 
-/// What is found of `stranger`: of its own states, if what it takes or hands out was changed in a
+/// What is found of `integrator`: of its own states, if what it takes or returns was changed in a
 /// way that can be undone.
-fn report(stranger: &dyn Stranger, claims: &Claims) -> Measured<Report> {
-    let probe = Probe::new(stranger)?;
+fn report(integrator: &dyn Integrator, claims: &Claims) -> Measured<Report> {
+    let probe = Probe::new(integrator)?;
     if let Some((departure, undo)) = told(equation::output(&probe))?.flatten() {
-        return behind(&Undone { stranger, undo }, claims, departure);
+        return behind(&Undone { integrator, undo }, claims, departure);
     }
-    let (ready, looked) = ready(stranger, probe)?;
+    let (ready, looked) = ready(integrator, probe)?;
     if let Ok(Some((Looked { departure: Some(departure), .. }, Some(undo)))) = looked {
-        return behind(&Undone { stranger, undo }, claims, departure);
+        return behind(&Undone { integrator, undo }, claims, departure);
     }
     properties(ready, without_undo(looked), claims, None)
 }
 
-/// What is found of the program behind a change of what it takes or hands out.
-fn behind(stranger: &dyn Stranger, claims: &Claims, output: Departure) -> Measured<Report> {
-    let (ready, looked) = ready(stranger, Probe::new(stranger)?)?;
+/// What is found of the program behind a change of what it takes or returns.
+fn behind(integrator: &dyn Integrator, claims: &Claims, output: Departure) -> Measured<Report> {
+    let (ready, looked) = ready(integrator, Probe::new(integrator)?)?;
     properties(ready, without_undo(looked), claims, Some(output))
 }
 
-/// A stranger of which all is measured that has to be before anything is asked.
+/// An integrator of which all is measured that has to be before anything is asked.
 struct Ready<'s> {
     probe: Probe<'s>,
     /// In the scenes of the known answers.
@@ -103,15 +103,15 @@ fn without_undo(looked: Solves) -> Measured<Option<Looked>> {
     looked.map(|looked| looked.map(|(looked, _)| looked))
 }
 
-/// The stranger, ready to be judged, and its equation.
-fn ready<'s>(stranger: &'s dyn Stranger, probe: Probe<'s>) -> Measured<(Ready<'s>, Solves)> {
+/// The integrator, ready to be judged, and its equation.
+fn ready<'s>(integrator: &'s dyn Integrator, probe: Probe<'s>) -> Measured<(Ready<'s>, Solves)> {
     let cut_off = match probe.measured_rounding {
         Ok(rounding) if rounding > replies::DOUBLE => told(equation::cut_off(&probe))?.flatten(),
         _ => None,
     };
     let probe = probe.printing(cut_off.as_ref());
     // The equation first, by short steps: in long ones, or many, numbers may overflow.
-    let looked = equation::look(stranger, &probe).map(Some);
+    let looked = equation::look(integrator, &probe).map(Some);
     if let Err(Trouble::Broken(why)) = looked {
         return Err(Trouble::Broken(why));
     }
@@ -250,7 +250,7 @@ impl Judge<'_> {
         Ok(())
     }
 
-    /// The equation that is solved, and the form of what is taken and handed out.
+    /// The equation that is solved, and the form of what is taken and returned.
     fn equation(&mut self) -> Measured<()> {
         let found = core::mem::replace(&mut self.looked, Ok(None));
         let told = equation::Told::new(&found, self.report.departure.take(), self.name.one());
@@ -294,8 +294,8 @@ impl Judge<'_> {
         }
     }
 
-    /// What was found before the stranger broke the protocol, as a program does that ends where its
-    /// numbers overflow: enough for a report if the equation is another one.
+    /// What was found before the integrator broke the protocol, as a program does that ends where
+    /// its numbers overflow: enough for a report if the equation is another one.
     fn broken(self, trouble: Trouble) -> Measured<Report> {
         let Self { claims, mut report, .. } = self;
         let Some(departure) = report.departure.clone() else { return Err(trouble) };

@@ -1,9 +1,9 @@
-//! Order: the slopes of the error on a ladder of steps, down to the stranger's rounding.
+//! Order: the slopes of the error on a ladder of steps, down to the integrator's rounding.
 
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement, Slopes};
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 
 /// The duration of a run (s): about a swing and a half, and no whole number of half swings, at

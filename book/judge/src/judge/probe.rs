@@ -1,11 +1,11 @@
-//! How a stranger is asked: the requests of the judge, their answers checked, and the size of the
-//! stranger's own roundings.
+//! How an integrator is asked: the requests of the judge, their answers checked, and the size of
+//! the integrator's own roundings.
 
 use core::fmt;
 
 use super::equation::Departure;
 use super::verdict::{Measured, Trouble, checked, told};
-use crate::stranger::{Chosen, Reply, Request, Stranger};
+use crate::integrator::{Chosen, Integrator, Reply, Request};
 use pendula::AnyMethod;
 use pendula::exact::Motion;
 use pendula::systems::{Hamiltonian, Pendulum, Phase};
@@ -23,14 +23,14 @@ pub fn step(x: f64) -> f64 {
     x / frequency()
 }
 
-/// A stranger, with what has to be known of it before anything can be asked.
+/// An integrator, with what has to be known of it before anything can be asked.
 pub struct Probe<'s> {
-    stranger: &'s dyn Stranger,
+    integrator: &'s dyn Integrator,
     /// The rounding of a step, relative to a state of order 1: as measured, from 2⁻⁵² to 1.
     pub rounding: f64,
     /// The same, if it could be measured.
     pub measured_rounding: Measured<f64>,
-    /// What a tolerance inside the stranger makes of 200 steps (rad): by how much they differ in
+    /// What a tolerance inside the integrator makes of 200 steps (rad): by how much they differ in
     /// other units of time, where that is too little to be a mistake.
     tolerance: f64,
     /// And what it makes of a step that is long, where an iteration ends later (rad).
@@ -65,13 +65,13 @@ impl Request {
 }
 
 impl<'s> Probe<'s> {
-    /// Ready to ask, of a stranger without a tolerance; the rounding is measured at once.
-    pub fn new(stranger: &'s dyn Stranger) -> Measured<Self> {
-        let longest = stranger.longest_run();
+    /// Ready to ask, of an integrator without a tolerance; the rounding is measured at once.
+    pub fn new(integrator: &'s dyn Integrator) -> Measured<Self> {
+        let longest = integrator.longest_run();
         let measured_rounding = Ok(f64::EPSILON);
         let rounding = f64::EPSILON;
         let mut probe = Self {
-            stranger,
+            integrator,
             rounding,
             measured_rounding,
             tolerance: 0.0,
@@ -130,17 +130,17 @@ impl<'s> Probe<'s> {
         Self { rounding: self.rounding.min(4.0 * f64::EPSILON), ..self }
     }
 
-    /// With what a tolerance inside the stranger makes of 200 steps (rad).
+    /// With what a tolerance inside the integrator makes of 200 steps (rad).
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// With what a tolerance inside the stranger makes of a long step (rad).
+    /// With what a tolerance inside the integrator makes of a long step (rad).
     pub fn with_long_steps(self, in_long_steps: f64) -> Self {
         Self { in_long_steps, ..self }
     }
 
-    /// What a tolerance inside the stranger makes of a long step (rad).
+    /// What a tolerance inside the integrator makes of a long step (rad).
     pub const fn in_long_steps(&self) -> f64 {
         self.in_long_steps
     }
@@ -169,7 +169,7 @@ impl<'s> Probe<'s> {
 
     /// The answer to a request, as it is.
     pub fn ask(&self, request: &Request) -> Measured<Reply> {
-        checked(self.stranger.answer(request)?, request.states())
+        checked(self.integrator.answer(request)?, request.states())
     }
 
     /// The states of a run.
@@ -190,13 +190,13 @@ impl<'s> Probe<'s> {
         self.rounding_bound(steps, x) + self.tolerance + steps as f64 * self.tolerance_a_step()
     }
 
-    /// What a tolerance inside the stranger may make of the state in a step, relative to a state
+    /// What a tolerance inside the integrator may make of the state in a step, relative to a state
     /// of order 1.
     pub fn tolerance_a_step(&self) -> f64 {
         self.tolerance / 200.0
     }
 
-    /// [`Self::bound`] without what a tolerance inside the stranger may add.
+    /// [`Self::bound`] without what a tolerance inside the integrator may add.
     pub fn rounding_bound(&self, steps: u64, x: f64) -> f64 {
         let n = steps as f64;
         10.0 * self.rounding * libm::sqrt(n) * (1.0 + n * x.abs())

@@ -5,11 +5,11 @@
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency, states_after, step};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Beyond, Finding, Measurement};
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::method_named;
 use pendula::systems::Phase;
 
-/// What was found beyond; `None` for what the stranger does not answer, or cannot show.
+/// What was found beyond; `None` for what the integrator does not answer, or cannot show.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Range {
     /// With which power of the step its error falls in a fast rotation.

@@ -5,7 +5,7 @@ use super::equation::Departure;
 use super::probe::{Probe, distance, step};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement, OtherAnswer};
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 
 /// In which way the same request has other answers; `None` if they are the same, to the bit, at

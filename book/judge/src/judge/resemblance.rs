@@ -1,4 +1,4 @@
-//! What a stranger nearly is: a known method, right or wrong, but for one thing.
+//! What an integrator nearly is: a known method, right or wrong, but for one thing.
 
 use super::claims::Claims;
 use super::equation::Departure;
@@ -6,7 +6,7 @@ use super::identity::{Asked, Identity, Seen, own_states};
 use super::probe::{G_OVER_L, Probe, distance, exact, states_after, step};
 use super::report::Report;
 use super::verdict::Measured;
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 use pendula::{AnyMethod, METHODS};
 
@@ -93,7 +93,7 @@ fn fits(method: &dyn AnyMethod, claims: &Claims) -> bool {
         && (claims.name.is_none() || claims.is_named(entry.name))
 }
 
-/// What the stranger is but for one thing: first a method of the library that has what is
+/// What the integrator is but for one thing: first a method of the library that has what is
 /// claimed, then any other. Of several that are near, none is named unless the digits of double
 /// precision tell that they are one map.
 pub fn find(probe: &Probe<'_>, claims: &Claims, report: &Report) -> Measured<Option<Resemblance>> {

@@ -3,8 +3,8 @@
 use super::probe::{Probe, distance, step};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement};
+use crate::integrator::Request;
 use crate::properties::flipped;
-use crate::stranger::Request;
 use pendula::systems::Phase;
 
 /// The way out and back.
@@ -18,7 +18,7 @@ pub struct Way {
     pub x: f64,
     /// The number of steps each way.
     pub steps: u64,
-    /// Whether the stranger went back by itself, with −h; or forward, with the velocity reversed.
+    /// Whether the integrator went back by itself, with −h; or forward, with the velocity reversed.
     pub by_itself: bool,
 }
 

@@ -3,7 +3,7 @@
 use super::probe::{Probe, distance, pendulum};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement};
-use crate::stranger::{Drive, Request, driven};
+use crate::integrator::{Drive, Request, driven};
 use pendula::methods::Gauss6;
 use pendula::systems::Phase;
 use pendula::{Grid, integrate};

@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 use super::probe::{G_OVER_L, Probe, distance, step};
 use super::verdict::{Measured, Trouble, Verdict, told};
 use crate::finding::{Finding, Measurement};
-use crate::stranger::Request;
+use crate::integrator::Request;
 use pendula::systems::Phase;
 
 /// To and fro, and over the top.
@@ -37,8 +37,8 @@ impl Apart {
         self.largest > self.bound && self.largest < 1e-7
     }
 
-    /// What is to be said of it, where a tolerance inside the stranger, which is no mistake, would
-    /// spoil the property (`spoilt`) or not.
+    /// What is to be said of it, where a tolerance inside the integrator, which is no mistake,
+    /// would spoil the property (`spoilt`) or not.
     pub fn judge(&self, spoilt: bool) -> Finding {
         let Self { largest, bound } = *self;
         let verdict = Verdict::of(largest, bound, 10.0 * bound);
@@ -120,14 +120,15 @@ pub fn in_units(probe: &Probe<'_>, units: &[f64]) -> Measured<Apart> {
     Ok(worst)
 }
 
-/// What a tolerance inside the stranger makes of its states (rad): by how much they differ in other
-/// units of time, where that is too little to be a mistake. The other measurements allow for it.
+/// What a tolerance inside the integrator makes of its states (rad): by how much they differ in
+/// other units of time, where that is too little to be a mistake. The other measurements allow for
+/// it.
 pub fn tolerance(probe: &Probe<'_>) -> Measured<f64> {
     let units = told(units(probe))?.filter(Apart::is_a_tolerance);
     Ok(units.map_or(0.0, |units| units.largest))
 }
 
-/// What a tolerance inside the stranger makes of a step of about x = 1 (rad), where an iteration
+/// What a tolerance inside the integrator makes of a step of about x = 1 (rad), where an iteration
 /// ends later than in the short ones of [`tolerance`]: by how much eight of them differ in other
 /// units of time, an eighth. A difference that is no more than rounding, or too large for a
 /// tolerance, counts for nothing.

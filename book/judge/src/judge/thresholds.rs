@@ -22,7 +22,7 @@ use crate::finding::{EnergyLaw, Finding, LossBy, Slopes};
 use crate::known_answers;
 use crate::properties::error_constant::leading_local_error;
 use crate::property::Property;
-use crate::{Chosen, Fault, FromFn, Reply, Request, Stranger};
+use crate::{Chosen, Fault, FromFn, Integrator, Reply, Request};
 
 /// A little less and a little more: nothing that a verdict compares is known better.
 const INSIDE: f64 = 1.0 - 1e-9;
@@ -239,7 +239,7 @@ struct But {
     spoilt: fn(&Request, Reply) -> Reply,
 }
 
-impl Stranger for But {
+impl Integrator for But {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let reply = StormerVerlet.answer(request)?;
         Ok(if (self.when)(request) { (self.spoilt)(request, reply) } else { reply })
@@ -363,8 +363,8 @@ fn a_right_step_has_no_wrong_term() {
     let mut between = |low: f64, high: f64| low + (high - low) * random.f64();
     for name in ["stormer-verlet", "rk4", "forest-ruth", "gauss-4", "dormand-prince"] {
         let method = method_named(name).expect("it is on the list");
-        let stranger = Chosen::new(method);
-        let probe = Probe::new(&stranger).unwrap();
+        let integrator = Chosen::new(method);
+        let probe = Probe::new(&integrator).unwrap();
         for _ in 0..40 {
             let g_over_l = between(0.1, 50.0);
             let starts = [(); 6].map(|()| [between(-3.0, 3.0), between(-2.0, 2.0)]);
@@ -409,12 +409,12 @@ fn a_term_too_much_is_found(
         let [to_theta, to_omega] = [[more, 0.0], [0.0, more * frequency]][of];
         (end.theta + to_theta, end.omega + to_omega)
     };
-    let stranger = FromFn(|g, theta, omega, h, n| {
+    let integrator = FromFn(|g, theta, omega, h, n| {
         let next = move |z: &(f64, f64)| Some(step(g, z.0, z.1, h));
         std::iter::successors(next(&(theta, omega)), next).take(n as usize)
     });
     let starts = core::array::from_fn(|i| [i as f64 - 2.3, 1.1 - 0.7 * (i * i % 5) as f64]);
-    let found = deviation_with(&Probe::new(&stranger).unwrap(), 9.81, starts).unwrap().unwrap();
+    let found = deviation_with(&Probe::new(&integrator).unwrap(), 9.81, starts).unwrap().unwrap();
     let (term, excess, parts) = found.worst();
     assert_eq!((found.power, term.of), (power as usize, of), "{}", term.name);
     // And nothing of the others.
@@ -477,9 +477,9 @@ fn the_verdict_on_all_claims_is_the_worst(
 fn the_leading_error_is_that_of_theory() {
     for name in ["forward-euler", "symplectic-euler", "stormer-verlet", "rk4"] {
         let method = method_named::<Pendulum>(name).unwrap();
-        let stranger = Chosen::named(name).unwrap();
+        let integrator = Chosen::named(name).unwrap();
         let law = leading_local_error(name, [1.0, 1.0]).unwrap();
-        let probe = Probe::new(&stranger).unwrap();
+        let probe = Probe::new(&integrator).unwrap();
         let found = leading_error(&probe, method.info().order).unwrap();
         for i in 0..2 {
             let allowed = 4e-3 * law[i].abs();

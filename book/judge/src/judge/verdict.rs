@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::stranger::{Fault, Reply};
+use crate::integrator::{Fault, Reply};
 
 /// What is to be said of a claim, or of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Verdict {
     Fails,
     /// It was measured, and cannot be told: from rounding, or between two bounds.
     Unclear,
-    /// It was not measured: the stranger does not answer, or not in time.
+    /// It was not measured: the integrator does not answer, or not in time.
     #[default]
     NotMeasured,
     /// Nobody claims it; what was measured is said all the same.
@@ -49,7 +49,7 @@ impl Verdict {
 /// Why a measurement was not had.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Trouble {
-    /// The stranger does not answer such a request, and perhaps says why.
+    /// The integrator does not answer such a request, and perhaps says why.
     NoAnswer(String),
     /// It answered with other than the number of states that was asked for.
     Count {

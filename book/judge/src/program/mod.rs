@@ -1,4 +1,4 @@
-//! The side of the protocol that asks: a program that is not ours, as a [`Stranger`] and as a
+//! The side of the protocol that asks: a program that is not ours, as an [`Integrator`] and as a
 //! [`Solver`].
 
 mod process;
@@ -19,7 +19,7 @@ use pendula::Phase;
 use self::process::{Group, LONGEST, LastLines, Line};
 use crate::printable::printable;
 use crate::protocol::{Answer, BYE, HELLO, Row, answer, greeting};
-use crate::{Crossings, CrossingsRequest, Fault, Reply, Request, SolveRequest, Solver, Stranger};
+use crate::{Crossings, CrossingsRequest, Fault, Integrator, Reply, Request, SolveRequest, Solver};
 
 /// How many times as long as for an answer a program is waited for in all. Some 400 questions are
 /// asked, most of which take a small part of the patience: see [`Program::longest_run`].
@@ -448,7 +448,7 @@ impl Asked {
     }
 }
 
-impl Stranger for Program {
+impl Integrator for Program {
     /// As many steps as take a quarter of the patience, by requests that become longer until one
     /// takes a twentieth of it. The first may have to compile.
     fn longest_run(&self) -> u64 {

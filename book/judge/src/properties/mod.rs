@@ -34,10 +34,10 @@ pub use area::area_defect;
 pub use order::Ladder;
 
 use crate::finding::Finding;
+use crate::integrator::Ours;
 use crate::judge::Verdict;
 use crate::judge::probe::Probe;
 use crate::judge::verdict::Measured;
-use crate::stranger::Ours;
 use pendula::{AnyMethod, Grid, Pendulum, Phase};
 
 /// `Err` with the reason if a check rejects a method.
@@ -165,7 +165,7 @@ pub fn flipped(z: Phase) -> Phase {
     Phase { omega: -z.omega, ..z }
 }
 
-/// What is measured of a method that is asked as strangers are.
+/// What is measured of a method that is asked as other people's integrators are.
 fn measured<T>(
     method: &dyn AnyMethod,
     measure: impl FnOnce(&Probe<'_>) -> Measured<T>,

@@ -1,8 +1,8 @@
 //! Order: the slope of the error against the step, between neighbouring rungs of a ladder.
 //!
-//! The errors are those that the judge measures. It goes down a stranger's ladder to rounding: it
-//! knows nothing of the error before, and asks whether the slopes tend to the order. Here a rung is
-//! chosen by the order of the entry, and more is asked: each slope is the order.
+//! The errors are those that the judge measures. It goes down an integrator's ladder to rounding:
+//! it knows nothing of the error before, and asks whether the slopes tend to the order. Here a rung
+//! is chosen by the order of the entry, and more is asked: each slope is the order.
 
 use super::{CheckResult, measured, near};
 use crate::judge::order::{DURATION, STARTS, error};

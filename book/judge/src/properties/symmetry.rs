@@ -2,9 +2,9 @@
 //! no rounding can differ, the bits are the same.
 
 use super::{CheckResult, holds, measured, near, same};
+use crate::integrator::{Chosen, Integrator, Ours, Request};
 use crate::judge::probe::step;
 use crate::judge::symmetry::{Apart, STARTS, STEPS, X, in_units, mirror, turn};
-use crate::stranger::{Chosen, Ours, Request, Stranger};
 use pendula::AnyMethod;
 
 fn to_the_bit(what: &str, Apart { largest, .. }: Apart) -> CheckResult {
@@ -21,7 +21,7 @@ pub fn check_mirror(method: &dyn AnyMethod) -> CheckResult {
 pub fn check_mass_and_length(method: &dyn AnyMethod) -> CheckResult {
     for start in STARTS {
         let run = Request::run(start, step(X), STEPS);
-        let of = |stranger: &dyn Stranger| stranger.answer(&run).map_err(|it| it.to_string());
+        let of = |integrator: &dyn Integrator| integrator.answer(&run).map_err(|it| it.to_string());
         let (ours, plain) = (of(&Ours(method))?.states, of(&Chosen::new(method))?.states);
         same("the same g/L", ours, plain)?;
     }

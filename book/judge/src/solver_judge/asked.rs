@@ -3,10 +3,10 @@
 
 use core::fmt;
 
+use crate::integrator::Reply;
 use crate::judge::probe::{G_OVER_L, exact};
 use crate::judge::verdict::{Measured, checked};
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::Reply;
 use pendula::exact::Motion;
 use pendula::systems::Phase;
 

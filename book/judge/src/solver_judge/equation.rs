@@ -3,10 +3,10 @@
 
 use super::asked::Asked;
 use super::ladder::Ladder;
+use crate::integrator::{Fault, Integrator, Reply, Request};
 use crate::judge::probe::exact;
 use crate::judge::try_judge;
 use crate::solver::SolveRequest;
-use crate::stranger::{Fault, Reply, Request, Stranger};
 use crate::{Claims, Departure};
 
 /// A solver with a small tolerance, as one that takes equal steps.
@@ -15,7 +15,7 @@ struct AsSteps<'s> {
     tolerance: f64,
 }
 
-impl Stranger for AsSteps<'_> {
+impl Integrator for AsSteps<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let Request { g_over_l, drive, start, step, every, .. } = *request;
         let time = |k: u64| (k * every) as f64 * step;
@@ -31,7 +31,7 @@ impl Stranger for AsSteps<'_> {
     }
 }
 
-/// In what its equation, or what it hands out, departs from the pendulum; nothing of a solver that
+/// In what its equation, or what it returns, departs from the pendulum; nothing of a solver that
 /// comes to the right end, or to another for a reason that is not known to be its equation.
 pub fn departure(asked: Asked<'_>, ladder: &Ladder) -> Option<Departure> {
     let is_elsewhere = ladder.by_tolerance().is_none() || gravity(ladder).is_some();

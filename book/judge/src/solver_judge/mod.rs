@@ -29,11 +29,11 @@ pub(crate) use outputs::PARTS;
 use steps::Ours;
 
 use crate::forward::Forward;
+use crate::integrator::Fault;
 use crate::judge::claims::of_degree;
 use crate::judge::verdict::{Measured, Trouble};
 use crate::property::Property;
 use crate::solver::Solver;
-use crate::stranger::Fault;
 use crate::{Claims, Description, Finding, Report};
 use pendula::Phase;
 

@@ -82,7 +82,7 @@ impl Outputs {
                 outputs.run = times.iter().copied().zip(errors).collect();
             }
         }
-        // A start that is handed out again and again may be a number of any precision.
+        // A start that is returned again and again may be a number of any precision.
         outputs.single &= outputs.compared.iter().any(|it| it.outputs < SINGLE);
         // Of a solver in single precision they may be.
         outputs.single &= asked.scenes.coarser() == 1.0;

@@ -2,9 +2,9 @@
 
 use super::asked::{self, Asked, Scenes};
 use crate::finding::Measurement;
+use crate::integrator::Fault;
 use crate::judge::report::{Finding, scientific};
 use crate::judge::verdict::{Measured, Trouble, Verdict};
-use crate::stranger::Fault;
 
 /// A tolerance, and the end of a run in units of its duration.
 const IMPOSSIBLE: [(&str, f64, f64); 4] = [

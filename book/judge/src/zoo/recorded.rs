@@ -14,10 +14,10 @@ use std::time::Duration;
 
 use pendula::systems::Phase;
 
+use crate::integrator::{Fault, Reply};
 use crate::judge::probe::exact;
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
 use crate::solver_judge::{PARTS, errors, single};
-use crate::stranger::{Fault, Reply};
 
 /// Up to so many rows are kept to the bit.
 const SHORT: usize = 12;

@@ -13,8 +13,8 @@ use pendula::methods::runge_kutta::{Embedded, Interpolant, hermite};
 use pendula::systems::{Pendulum, Phase, RateOf, System, Vector};
 
 use super::tabled::{Habits, Mistake, Off, Outputs, Passage, Table, Tabled, When};
+use crate::integrator::{Drive, Fault, Reply};
 use crate::solver::{ByTolerance, Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::{Drive, Fault, Reply};
 
 /// What is wrong: see the list of [`wrong_solvers`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

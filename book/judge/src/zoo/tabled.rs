@@ -8,8 +8,8 @@ use pendula::internals::runge_kutta::Row;
 use pendula::internals::runge_kutta::dormand_prince::TABLEAU;
 use pendula::systems::Phase;
 
+use crate::integrator::{Fault, Reply};
 use crate::solver::{Crossings, CrossingsRequest, SolveRequest, Solver};
-use crate::stranger::{Fault, Reply};
 
 /// An explicit pair: nodes, stages, the weights of the step and of its estimate.
 #[derive(Clone, Debug, PartialEq)]
@@ -287,7 +287,7 @@ pub struct Habits {
     pub outputs: Outputs,
     /// How a passage is located.
     pub passage: Passage,
-    /// The digits of what is handed out, if it is rounded.
+    /// The digits of what is returned, if it is rounded.
     pub digits: Option<usize>,
     /// Whether the error of a step over its size is held to the tolerance.
     pub per_unit: bool,

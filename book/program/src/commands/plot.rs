@@ -149,7 +149,7 @@ impl<'o> Plot<'o> {
         }
     }
 
-    /// Writes the picture, to the terminal as text and to a file as SVG, and hands out what it was
+    /// Writes the picture, to the terminal as text and to a file as SVG, and returns what it was
     /// written to, which is to be [finished](Destination::finish).
     pub fn written(mut self) -> Result<Destination<'o>, Failure> {
         let mut picture = Vec::new();

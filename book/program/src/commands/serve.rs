@@ -8,7 +8,7 @@ use pendula::adaptive::TaylorSeries;
 use pendula::methods::{Dop853, DormandPrince};
 use pendula::{AnyMethod, Info, method_named};
 use pendula_judge::protocol::{Question, question};
-use pendula_judge::{ByTolerance, Chosen, Crossings, Fault, Reply, Solver, Stranger};
+use pendula_judge::{ByTolerance, Chosen, Crossings, Fault, Integrator, Reply, Solver};
 
 use super::system::{SERIES, methods_and_series};
 use crate::output::failure::Failure;
@@ -66,7 +66,7 @@ impl Served {
                 Ok(Question::Bye) => return Ok(()),
                 Ok(Question::Hello) => writeln!(out, "hello 1 pendula {}", self.name)?,
                 Ok(Question::Run(request)) => {
-                    self.states(self.stranger().and_then(|one| one.answer(&request)), out)?;
+                    self.states(self.integrator().and_then(|one| one.answer(&request)), out)?;
                 }
                 Ok(Question::Solve(request)) => {
                     self.states(self.solver().and_then(|one| one.solve(&request)), out)?;
@@ -80,8 +80,8 @@ impl Served {
         }
     }
 
-    /// The method as a stranger: with a drive if it suits the driven pendulum.
-    fn stranger(&self) -> Result<Chosen<'static>, Fault> {
+    /// The method as an integrator: with a drive if it suits the driven pendulum.
+    fn integrator(&self) -> Result<Chosen<'static>, Fault> {
         let pendulum = self.method.ok_or(Fault::Unsupported)?;
         Ok(Chosen { pendulum, driven: method_named(self.name) })
     }

@@ -1,9 +1,9 @@
 //! What a step does as it becomes short: where it starts from, and the rates of angle and velocity.
 
+use crate::integrator::Request;
 use crate::judge::probe::Probe;
 use crate::judge::series;
 use crate::judge::verdict::{Measured, Trouble};
-use crate::stranger::Request;
 use pendula::systems::Phase;
 
 /// Angle (rad) and velocity over √(g/L) of the starts: no two are mirror images or share an angle,

@@ -1,4 +1,4 @@
-//! What a report says of the equation, and of what is taken and handed out.
+//! What a report says of the equation, and of what is taken and returned.
 
 use super::Looked;
 use super::departure::{Departure, Kind, Place};

@@ -5,10 +5,10 @@ use core::f64::consts::PI;
 use super::departure::{Departure, Of, short};
 use super::field::{Field, STARTS};
 use super::output::Undo;
+use crate::integrator::Request;
 use crate::judge::probe::{G_OVER_L, Probe, frequency, step};
 use crate::judge::series::{least_squares, residual};
 use crate::judge::verdict::Measured;
-use crate::stranger::Request;
 use pendula::systems::Phase;
 
 const DEGREES: f64 = 180.0 / PI;
@@ -122,7 +122,7 @@ pub fn told(probe: &Probe<'_>, field: &Field) -> Measured<Found> {
     output(other(field), &[])
 }
 
-/// Whether each step adds to the angle what the first one does, and not only what is handed out.
+/// Whether each step adds to the angle what the first one does, and not only what is returned.
 fn keeps_rising(probe: &Probe<'_>) -> Measured<bool> {
     let states = probe.states(Request::run(Phase { theta: 0.1, omega: 0.0 }, step(1e-5), 2))?;
     Ok((states[1].theta - states[0].theta).abs() > 1.0)
@@ -134,7 +134,7 @@ fn begins_at_rest(probe: &Probe<'_>) -> Measured<bool> {
     Ok((end(2.0)?.theta - end(-2.0)?.theta).abs() <= 0.01)
 }
 
-/// Whether each step leaves this share of the velocity, and not only what is handed out.
+/// Whether each step leaves this share of the velocity, and not only what is returned.
 fn keeps_losing(probe: &Probe<'_>, share: f64) -> Measured<bool> {
     let start = Phase { theta: 0.1, omega: 1.0 };
     let end = probe.end(Request::run(start, step(1e-5), 4))?;

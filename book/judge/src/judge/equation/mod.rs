@@ -1,4 +1,4 @@
-//! Which equation is solved, and in which form states are taken and handed out: from single steps,
+//! Which equation is solved, and in which form states are taken and returned: from single steps,
 //! short and moderate ones, before anything is said of a method.
 //!
 //! A step of any method is (θ, ω) + h (ω, −(g/L) sin θ) + O(h²). What is found in place of the
@@ -25,7 +25,7 @@ use self::field::{Field, STARTS};
 use super::probe::{G_OVER_L, Probe, distance, frequency, step};
 use super::series::{least_squares, residual};
 use super::verdict::{Measured, Trouble, told};
-use crate::stranger::{Request, Stranger};
+use crate::integrator::{Integrator, Request};
 use pendula::systems::Phase;
 
 /// What was found of the equation.
@@ -54,7 +54,7 @@ impl Looked {
     }
 }
 
-/// A change of what is taken and handed out that can be seen without a rate, and what undoes it.
+/// A change of what is taken and returned that can be seen without a rate, and what undoes it.
 pub fn output(probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
     // Angles beyond half a turn, to both sides of it.
     let mut ends = Vec::new();
@@ -66,7 +66,7 @@ pub fn output(probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
         return Ok(Some((wrapped, Undo::Wrapped)));
     }
     let starts = STARTS.map(|[theta, q]| Phase { theta, omega: q * frequency() });
-    // The start, handed out as the first state, and the first step's as the second.
+    // The start, returned as the first state, and the first step's as the second.
     let mut late = true;
     for start in starts.into_iter().take(4) {
         let states = probe.states(Request::run(start, step(0.3), 2))?;
@@ -82,13 +82,13 @@ pub fn output(probe: &Probe<'_>) -> Measured<Option<(Departure, Undo)>> {
 }
 
 /// Whether the field is the pendulum's.
-fn is_right(stranger: &dyn Stranger) -> Measured<bool> {
-    is_right_to(stranger, 0.0)
+fn is_right(integrator: &dyn Integrator) -> Measured<bool> {
+    is_right_to(integrator, 0.0)
 }
 
 /// Whether it is to `known_to`, in units of √(g/L) and g/L.
-fn is_right_to(stranger: &dyn Stranger, known_to: f64) -> Measured<bool> {
-    let probe = Probe::new(stranger)?;
+fn is_right_to(integrator: &dyn Integrator, known_to: f64) -> Measured<bool> {
+    let probe = Probe::new(integrator)?;
     let mut field = field::measure(&probe, G_OVER_L, 0)?;
     field.known_to = field.known_to.map(|known| libm::fmaximum(known, known_to));
     Ok(field.off() <= SURE)
@@ -110,7 +110,7 @@ pub fn cut_off(probe: &Probe<'_>) -> Measured<Option<Departure>> {
 }
 
 /// What is found of the equation, and what undoes it, if it is a change of output.
-pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Option<Undo>)> {
+pub fn look(integrator: &dyn Integrator, probe: &Probe<'_>) -> Measured<(Looked, Option<Undo>)> {
     if let Some(departure) = of_the_step(probe)? {
         return Ok((Looked::at(departure), None));
     }
@@ -124,7 +124,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
     }
     let jumps = field.jump.as_flattened().iter().any(|x| x.abs() > SURE * field.known_to[0]);
     if jumps {
-        return by_jumps(stranger, probe, &field);
+        return by_jumps(integrator, probe, &field);
     }
     // A first step is another one where velocities are differences, or where older states are kept.
     if field::measure(probe, G_OVER_L, 2)?.off() <= SURE {
@@ -136,7 +136,7 @@ pub fn look(stranger: &dyn Stranger, probe: &Probe<'_>) -> Measured<(Looked, Opt
     let angle_in_the_force = field.rate.iter().zip(STARTS).all(|(rate, [theta, _])| {
         (rate[1] * G_OVER_L - theta).abs() <= 1e-3 + SURE * field.known_to[1] * G_OVER_L
     });
-    if angle_in_the_force && is_right(&Undone { stranger, undo: Undo::Swapped })? {
+    if angle_in_the_force && is_right(&Undone { integrator, undo: Undo::Swapped })? {
         let departure = Departure::Swapped { taken_too: true };
         return Ok((Looked::with(Some(departure), &field), Some(Undo::Swapped)));
     }
@@ -268,7 +268,7 @@ fn fixed_step(probe: &Probe<'_>) -> Measured<Departure> {
 }
 
 fn by_jumps(
-    stranger: &dyn Stranger,
+    integrator: &dyn Integrator,
     probe: &Probe<'_>,
     field: &Field,
 ) -> Measured<(Looked, Option<Undo>)> {
@@ -276,7 +276,7 @@ fn by_jumps(
     for undo in undos.iter().copied() {
         // A factor is known to what the jumps are.
         let known_to = if departure.kind() == Kind::Scaled { 1e-8 } else { 0.0 };
-        if is_right_to(&Undone { stranger, undo }, known_to)? {
+        if is_right_to(&Undone { integrator, undo }, known_to)? {
             // A factor of what is returned is one of what is taken.
             let departure = match (undo, departure) {
                 (Undo::In(_), Departure::Scaled { times, known_to, .. }) => {

@@ -1,30 +1,30 @@
-//! Changes of what is taken and handed out, and how they are undone: behind them stands a program
+//! Changes of what is taken and returned, and how they are undone: behind them stands a program
 //! that can be judged as if nothing were changed.
 
 use core::f64::consts::{PI, TAU};
 
 use super::departure::{Departure, Range};
-use crate::stranger::{Fault, Reply, Request, Stranger};
+use crate::integrator::{Fault, Integrator, Reply, Request};
 use pendula::systems::Phase;
 
 /// What undoes a change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Undo {
-    /// States are handed out with the angle, and the velocity, so many times as large.
+    /// States are returned with the angle, and the velocity, so many times as large.
     Out([f64; 2]),
     /// Starts are taken with the angle, and the velocity, so many times as large.
     In([f64; 2]),
     /// Both.
     InAndOut([f64; 2]),
-    /// Angle and velocity are exchanged in what is handed out.
+    /// Angle and velocity are exchanged in what is returned.
     SwappedOut,
     /// And in what is taken.
     SwappedIn,
     /// In both.
     Swapped,
-    /// The angle is larger by this, in what is handed out.
+    /// The angle is larger by this, in what is returned.
     Raised(f64),
-    /// States are handed out so many steps late.
+    /// States are returned so many steps late.
     Late(u64),
     /// Or early.
     Early(u64),
@@ -46,7 +46,7 @@ impl Undo {
     fn its_state(self, Phase { theta, omega }: Phase) -> Phase {
         match self {
             Self::Out([a, b]) => Phase { theta: theta / a, omega: omega / b },
-            // A program that takes and hands out degrees has a state a times as large.
+            // A program that takes and returns degrees has a state a times as large.
             Self::InAndOut([a, b]) => Phase { theta: theta * a, omega: omega * b },
             Self::SwappedOut | Self::Swapped => Phase { theta: omega, omega: theta },
             Self::Raised(by) => Phase { theta: theta - by, omega },
@@ -55,13 +55,13 @@ impl Undo {
     }
 }
 
-/// The program behind a change of what it takes and hands out.
+/// The program behind a change of what it takes and returns.
 pub struct Undone<'s> {
-    pub stranger: &'s dyn Stranger,
+    pub integrator: &'s dyn Integrator,
     pub undo: Undo,
 }
 
-impl Stranger for Undone<'_> {
+impl Integrator for Undone<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         let start = self.undo.its_start(request.start);
         let Request { steps, every, .. } = *request;
@@ -70,13 +70,13 @@ impl Stranger for Undone<'_> {
             Undo::Late(by) => Request { steps: steps + by, every: 1, ..*request },
             Undo::Early(by) if steps > by => Request { steps: steps - by, every: 1, ..*request },
             Undo::Early(_) => {
-                let why = "the first states are never handed out";
+                let why = "the first states are never returned";
                 return Err(Fault::Refused(why.to_string()));
             }
             Undo::Wrapped => Request { every: 1, ..*request },
             _ => *request,
         };
-        let reply = self.stranger.answer(&Request { start, ..asked })?;
+        let reply = self.integrator.answer(&Request { start, ..asked })?;
         if reply.states.len() as u64 != asked.states() {
             return Ok(reply);
         }
@@ -87,7 +87,7 @@ impl Stranger for Undone<'_> {
             Undo::Early(by) => match every > by {
                 true => pick(every - 1 - by).collect(),
                 false => {
-                    let why = "the first states are never handed out";
+                    let why = "the first states are never returned";
                     return Err(Fault::Refused(why.to_string()));
                 }
             },
@@ -109,7 +109,7 @@ impl Stranger for Undone<'_> {
     }
 
     fn longest_run(&self) -> u64 {
-        self.stranger.longest_run()
+        self.integrator.longest_run()
     }
 }
 

@@ -93,7 +93,7 @@ impl Solved {
         }
     }
 
-    /// The method whose steps on this equation the stranger's are: to its own rounding, where no
+    /// The method whose steps on this equation the integrator's are: to its own rounding, where no
     /// other method lies within ten times that.
     pub fn method(&self, asked: &Asked) -> Option<Solver> {
         let of_the_library = METHODS.iter().filter_map(|method| {

@@ -3,7 +3,7 @@
 
 use pendula_judge::formats::{self, Judged};
 use pendula_judge::{
-    Claims, FromFn, Report, SolveFn, Solver, Stranger, try_judge, try_judge_solver,
+    Claims, FromFn, Integrator, Report, SolveFn, Solver, try_judge, try_judge_solver,
 };
 use pendula_program::verify::page;
 use rstest::rstest;
@@ -32,8 +32,8 @@ fn assert_written(report: &Report, claims: &Claims) {
     }
 }
 
-/// A stranger whose state after step k from (θ, ω) is that.
-fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
+/// An integrator whose state after step k from (θ, ω) is that.
+fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Integrator> {
     Box::new(FromFn(move |_: f64, theta: f64, omega: f64, _: f64, n: u64| {
         (1..=n).map(move |k| state(theta, omega, k))
     }))
@@ -52,12 +52,12 @@ fn of(state: fn(f64, f64, u64) -> (f64, f64)) -> Box<dyn Stranger> {
 #[case::nearly_one(of(|_, _, k| (if k % 2 == 0 { 1.0 } else { 1.0_f64.next_up() }, 1.0)))]
 #[case::nan(of(|_, _, _| (f64::NAN, 0.0)))]
 #[case::infinite(of(|_, _, _| (0.0, f64::INFINITY)))]
-fn a_report_is_written_whatever_is_measured(#[case] stranger: Box<dyn Stranger>) {
+fn a_report_is_written_whatever_is_measured(#[case] integrator: Box<dyn Integrator>) {
     let all = || Claims::order(2).symplectic().symmetric().bounded_energy();
     let orders = [0, 1, 99_999, u32::MAX].map(Claims::order);
     let more = [Claims::none(), all().evaluations(0), all().evaluations(u64::MAX).name("\0")];
     for claims in orders.iter().chain(&more) {
-        let report = try_judge(&*stranger, claims.clone()).expect("it keeps the protocol");
+        let report = try_judge(&*integrator, claims.clone()).expect("it keeps the protocol");
         assert_written(&report, claims);
     }
 }

@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 
 use pendula::Phase;
 use pendula_judge::{
-    Claims, CrossingsRequest, Drive, Fault, Program, Property, Request, SolveRequest, Solver,
-    Stranger, Verdict, try_judge_solver,
+    Claims, CrossingsRequest, Drive, Fault, Integrator, Program, Property, Request, SolveRequest,
+    Solver, Verdict, try_judge_solver,
 };
 use rstest::rstest;
 use tempfile::TempDir;

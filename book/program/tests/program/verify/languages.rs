@@ -10,8 +10,8 @@ use std::process::Command;
 use pendula::methods::{Dop853, StormerVerlet};
 use pendula::{Motion, Pendulum, Phase, exact};
 use pendula_judge::{
-    ByTolerance, Claims, CrossingsRequest, Drive, Fault, Program, Reply, SolveRequest, Solver,
-    Stranger, Verdict, try_judge_solver,
+    ByTolerance, Claims, CrossingsRequest, Drive, Fault, Integrator, Program, Reply, SolveRequest,
+    Solver, Verdict, try_judge_solver,
 };
 use rstest::rstest;
 use serde_json::Value;

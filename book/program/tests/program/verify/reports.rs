@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use pendula_judge::{Chosen, Drive, Stranger};
+use pendula_judge::{Chosen, Drive, Integrator};
 use roxmltree::Document;
 use serde_json::Value;
 

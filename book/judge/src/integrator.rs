@@ -15,10 +15,10 @@ pub struct Drive {
     pub frequency: f64,
 }
 
-/// A run that a stranger is asked for: θ̈ + (g/L) sin θ = 0, or with a drive, from t = 0.
+/// A run that an integrator is asked for: θ̈ + (g/L) sin θ = 0, or with a drive, from t = 0.
 ///
 /// ```
-/// use pendula_judge::{Request, Stranger};
+/// use pendula_judge::{Request, Integrator};
 /// use pendula::{Phase, StormerVerlet};
 ///
 /// // Ten seconds of the pendulum from 1 rad, a state each second.
@@ -111,7 +111,7 @@ impl fmt::Display for Request {
     }
 }
 
-/// What a stranger answers.
+/// What an integrator answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reply {
     /// The states after k, 2k, … n steps (rad, rad/s); θ counts turns.
@@ -124,14 +124,14 @@ pub struct Reply {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Fault {
-    /// The stranger does not know this kind of request.
+    /// The integrator does not know this kind of request.
     Unsupported,
-    /// The stranger refuses this request, and says why.
+    /// The integrator refuses this request, and says why.
     Refused(String),
-    /// No answer that can be used: it was late, was none, or ended the stranger, which begins anew.
-    /// Other requests may be answered.
+    /// No answer that can be used: it was late, was none, or ended the integrator, which begins
+    /// anew. Other requests may be answered.
     Lost(String),
-    /// The stranger broke the protocol: nothing more can be asked of it.
+    /// The integrator broke the protocol: nothing more can be asked of it.
     Broken(String),
 }
 
@@ -155,7 +155,7 @@ impl core::error::Error for Fault {}
     note = "a function for a whole run, of (g/L, θ, ω, h, n), is judged as `FromFn(function)`"
 )]
 /// An integrator to be judged. Each request starts afresh.
-pub trait Stranger {
+pub trait Integrator {
     /// The states that the request asks for.
     ///
     /// # Errors
@@ -172,7 +172,7 @@ pub trait Stranger {
 
 /// Every method for the pendulum and the driven pendulum.
 #[diagnostic::do_not_recommend]
-impl<M: Method<Counting<Pendulum>> + Method<Counting<Driven>>> Stranger for M {
+impl<M: Method<Counting<Pendulum>> + Method<Counting<Driven>>> Integrator for M {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         request.check()?;
         let pendulum = pendulum(request)?;
@@ -246,7 +246,7 @@ impl<'a> Chosen<'a> {
     }
 }
 
-impl Stranger for Chosen<'_> {
+impl Integrator for Chosen<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         request.check()?;
         let pendulum = pendulum(request)?;
@@ -260,12 +260,12 @@ impl Stranger for Chosen<'_> {
     }
 }
 
-/// A method of the library as a stranger, on a pendulum whose length is not 1 m and whose mass is
-/// not 1 kg: a force with g·L, or with the mass in it, shows.
+/// A method of the library as an integrator, on a pendulum whose length is not 1 m and whose mass
+/// is not 1 kg: a force with g·L, or with the mass in it, shows.
 #[derive(Clone, Copy)]
 pub(crate) struct Ours<'a>(pub &'a dyn AnyMethod);
 
-impl Stranger for Ours<'_> {
+impl Integrator for Ours<'_> {
     fn answer(&self, request: &Request) -> Result<Reply, Fault> {
         request.check()?;
         // A power of two, so that g/L is what was asked for, to the last digit.
@@ -297,9 +297,9 @@ fn chosen_states<S: System<State = Phase> + 'static>(
     Ok((states, run.evaluations()))
 }
 
-/// A stranger that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns the
-/// pairs (θ, ω) after 1, 2, … n steps: in a vector, or one after the other. Of more than n no more
-/// than tells so is looked at.
+/// An integrator that is a function of g/L (1/s²), θ (rad), ω (rad/s), h (s) and n, which returns
+/// the pairs (θ, ω) after 1, 2, … n steps: in a vector, or one after the other. Of more than n no
+/// more than tells so is looked at.
 ///
 /// ```
 /// use pendula_judge::{Claims, FromFn, judge};
@@ -325,7 +325,7 @@ impl<F> fmt::Debug for FromFn<F> {
     }
 }
 
-impl<F, I> Stranger for FromFn<F>
+impl<F, I> Integrator for FromFn<F>
 where
     F: Fn(f64, f64, f64, f64, u64) -> I,
     I: IntoIterator<Item = (f64, f64)>,

@@ -14,7 +14,7 @@ type State = (f64, f64);
 /// A step of h (s) with g/L (1/s²).
 type Step = fn(f64, State, f64) -> State;
 
-/// A one-step method as a stranger.
+/// A one-step method as an integrator.
 fn stepping(
     step: impl Fn(f64, State, f64) -> State,
 ) -> impl Fn(f64, f64, f64, f64, u64) -> Vec<State> {
