@@ -45,3 +45,16 @@ pub mod runge_kutta {
         pub use crate::methods::runge_kutta::dormand_prince::*;
     }
 }
+
+/// The coefficients of the processed methods.
+pub mod processed {
+    /// Those of order 4.
+    pub mod processed_4 {
+        pub use crate::methods::processed::processed_4::{GRADIENT, PROCESSOR};
+    }
+
+    /// Those of order 6.
+    pub mod processed_6 {
+        pub use crate::methods::processed::processed_6::{DRIFT, GRADIENT, KICK, PROCESSOR};
+    }
+}

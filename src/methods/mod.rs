@@ -64,9 +64,9 @@ pub use taylor::*;
 /// The properties of a method. They are defined once, beside the method's step, and read by every
 /// test, table and page.
 ///
-/// One of your own begins with [`new`](Self::new); there may be more fields in later versions.
+/// Yours ends with [`..MethodInfo::new(…)`](Self::new), because there may be more fields in later
+/// versions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct MethodInfo {
     /// Name on the command line and in test names.
     pub name: &'static str,
@@ -97,13 +97,17 @@ pub struct MethodInfo {
 
 impl MethodInfo {
     /// An explicit method of `name` and order p of which nothing else is claimed, with p force
-    /// evaluations a step. What is known of it follows by name:
+    /// evaluations a step. You write what else is known of it before it:
     ///
     /// ```
     /// use pendula::MethodInfo;
     ///
-    /// const LEAPFROG: MethodInfo =
-    ///     MethodInfo::new("leapfrog", 2).symplectic().symmetric().force_evaluations(1);
+    /// const LEAPFROG: MethodInfo = MethodInfo {
+    ///     symplectic: true,
+    ///     symmetric: true,
+    ///     force_evaluations: 1,
+    ///     ..MethodInfo::new("leapfrog", 2)
+    /// };
     /// assert_eq!(LEAPFROG.title, "leapfrog");
     /// assert!(LEAPFROG.symmetric && !LEAPFROG.implicit);
     /// ```
@@ -139,60 +143,6 @@ impl MethodInfo {
     pub fn is_called(&self, name: &str) -> bool {
         let mut names = [self.name, self.title].into_iter().chain(self.aliases.iter().copied());
         folded(name).next().is_some() && names.any(|own| folded(own).eq(folded(name)))
-    }
-
-    /// With this `title` in tables and text.
-    #[must_use]
-    pub const fn title(self, title: &'static str) -> Self {
-        Self { title, ..self }
-    }
-
-    /// With these other names.
-    #[must_use]
-    pub const fn aliases(self, aliases: &'static [&'static str]) -> Self {
-        Self { aliases, ..self }
-    }
-
-    /// And symplectic.
-    #[must_use]
-    pub const fn symplectic(self) -> Self {
-        Self { symplectic: true, ..self }
-    }
-
-    /// And symmetric.
-    #[must_use]
-    pub const fn symmetric(self) -> Self {
-        Self { symmetric: true, ..self }
-    }
-
-    /// And conserving the energy, in steps of any length.
-    #[must_use]
-    pub const fn conserving_energy(self) -> Self {
-        Self { conserves_energy: true, ..self }
-    }
-
-    /// And implicit.
-    #[must_use]
-    pub const fn implicit(self) -> Self {
-        Self { implicit: true, ..self }
-    }
-
-    /// With this number of force evaluations a step.
-    #[must_use]
-    pub const fn force_evaluations(self, force_evaluations: u64) -> Self {
-        Self { force_evaluations, ..self }
-    }
-
-    /// With this number of force evaluations before the first step.
-    #[must_use]
-    pub const fn start_evaluations(self, start_evaluations: u64) -> Self {
-        Self { start_evaluations, ..self }
-    }
-
-    /// Defined and analysed there.
-    #[must_use]
-    pub const fn reference(self, reference: &'static str) -> Self {
-        Self { reference, ..self }
     }
 }
 

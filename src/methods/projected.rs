@@ -34,10 +34,12 @@ pub struct Projected<M>(pub M);
 impl Info for Projected<Rk4> {
     fn info(&self) -> MethodInfo {
         let rk4 = self.0.info();
-        MethodInfo::new("rk4-projected", rk4.order)
-            .title("RK4, projected")
-            .force_evaluations(rk4.force_evaluations + 1)
-            .reference("Hairer, Lubich, Wanner (2006), Algorithm IV.4.2")
+        MethodInfo {
+            title: "RK4, projected",
+            force_evaluations: rk4.force_evaluations + 1,
+            reference: "Hairer, Lubich, Wanner (2006), Algorithm IV.4.2",
+            ..MethodInfo::new("rk4-projected", rk4.order)
+        }
     }
 }
 

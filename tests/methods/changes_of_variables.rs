@@ -4,6 +4,7 @@
 use std::cell::Cell;
 use std::f64::consts::PI;
 
+use pendula::internals::processed::{processed_4, processed_6};
 use pendula::methods::{
     BlanesMoan6, Deuflhard, PositionVerlet, Processed4, Processed6, StormerVerlet,
 };
@@ -85,7 +86,7 @@ fn the_force_is_asked_for_where_the_drifts_are() {
 /// Catches: an iteration that is stopped too early; a term that only one of the two directions has.
 #[test]
 fn a_change_of_variables_leads_back() {
-    for processor in [Processed4::PROCESSOR, Processed6::PROCESSOR].map(|by| by.over(0.3)) {
+    for processor in [processed_4::PROCESSOR, processed_6::PROCESSOR].map(|by| by.over(0.3)) {
         let mut largest = 0.0_f64;
         for i in 0..61 * 25 {
             let [a, b] = [f64::from(i % 61), f64::from(i / 61)];

@@ -12,8 +12,8 @@
 //! whole method is as symplectic and symmetric as its kernel. What an observer sees is processed;
 //! where nobody looks the compiler removes it.
 
-mod processed_4;
-mod processed_6;
+pub(crate) mod processed_4;
+pub(crate) mod processed_6;
 
 pub use processed_4::Processed4;
 pub use processed_6::Processed6;

@@ -32,13 +32,10 @@ impl Info for Processed4 {
     }
 }
 
-impl Processed4 {
-    /// What stands before h² f f' in the kick.
-    pub const GRADIENT: f64 = 1.0 / 12.0;
-    /// Of the leading error of the kernel, h² (V'² − ω²V'')/24, a change of variables leaves
-    /// nothing.
-    pub const PROCESSOR: Processor = Processor::new(1.0 / 24.0, 0.0, 0.0);
-}
+/// What stands before h² f f' in the kick.
+pub const GRADIENT: f64 = 1.0 / 12.0;
+/// Of the leading error of the kernel, h² (V'² − ω²V'')/24, a change of variables leaves nothing.
+pub const PROCESSOR: Processor = Processor::new(1.0 / 24.0, 0.0, 0.0);
 
 // ANCHOR: step
 impl<S: ForceGradient> Method<S> for Processed4 {
@@ -46,22 +43,22 @@ impl<S: ForceGradient> Method<S> for Processed4 {
     type Carry = S::State;
 
     const REACH: f64 = 1.0;
-    const GRADIENT: f64 = Self::GRADIENT;
+    const GRADIENT: f64 = GRADIENT;
 
     #[inline(always)]
     fn start(&self, system: &S, _t: f64, h: f64, z: S::State) -> S::State {
-        let z = z + system.unprocessing(z, &Self::PROCESSOR.over(h));
+        let z = z + system.unprocessing(z, &PROCESSOR.over(h));
         system.drift(z, 0.5 * h)
     }
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
-        let force = system.force_with_gradient(t + 0.5 * h, *ahead, Self::GRADIENT * (h * h));
+        let force = system.force_with_gradient(t + 0.5 * h, *ahead, GRADIENT * (h * h));
         let z = system.kick(*ahead, force, h);
         *ahead = system.drift(z, h);
         // Only an observer reads what follows: without one the compiler removes it.
         let z = system.drift(z, 0.5 * h);
-        z + system.processing(z, &Self::PROCESSOR.over(h))
+        z + system.processing(z, &PROCESSOR.over(h))
     }
 }
 // ANCHOR_END: step

@@ -34,48 +34,46 @@ impl Info for Processed6 {
     }
 }
 
-impl Processed6 {
-    /// The outer kicks, in steps; the inner ones are what is left of a half.
-    pub const KICK: f64 = 0.237_887_064_748_297_18;
-    /// The outer drifts, in steps; the inner one is what is left of the whole, and leads back.
-    pub const DRIFT: f64 = 0.568_261_038_391_863;
-    /// What stands before h² f f' in the outer kicks.
-    pub const GRADIENT: f64 = 0.068_944_954_335_503_56;
-    /// What the processor adds.
-    pub const PROCESSOR: Processor = Processor::new(
-        -0.019_026_432_922_978_27,
-        0.003_053_019_527_983_182_5,
-        7.413_200_225_139_536e-5,
-    );
-}
+/// The outer kicks, in steps; the inner ones are what is left of a half.
+pub const KICK: f64 = 0.237_887_064_748_297_18;
+/// The outer drifts, in steps; the inner one is what is left of the whole, and leads back.
+pub const DRIFT: f64 = 0.568_261_038_391_863;
+/// What stands before h² f f' in the outer kicks.
+pub const GRADIENT: f64 = 0.068_944_954_335_503_56;
+/// What the processor adds.
+pub const PROCESSOR: Processor = Processor::new(
+    -0.019_026_432_922_978_27,
+    0.003_053_019_527_983_182_5,
+    7.413_200_225_139_536e-5,
+);
 
 // ANCHOR: step
 impl<S: ForceGradient> Method<S> for Processed6 {
     /// The state of the kernel, one kick ahead.
     type Carry = S::State;
 
-    const REACH: f64 = 4.0 * Self::DRIFT - 1.0;
-    const GRADIENT: f64 = Self::GRADIENT;
+    const REACH: f64 = 4.0 * DRIFT - 1.0;
+    const GRADIENT: f64 = GRADIENT;
 
     #[inline(always)]
     fn start(&self, system: &S, t: f64, h: f64, z: S::State) -> S::State {
-        let z = z + system.unprocessing(z, &Self::PROCESSOR.over(h));
-        let force = system.force_with_gradient(t, z, Self::GRADIENT * (h * h));
-        system.kick(z, force, Self::KICK * h)
+        let z = z + system.unprocessing(z, &PROCESSOR.over(h));
+        let force = system.force_with_gradient(t, z, GRADIENT * (h * h));
+        system.kick(z, force, KICK * h)
     }
 
     #[inline(always)]
     fn step(&self, system: &S, t: f64, h: f64, _z: S::State, ahead: &mut S::State) -> S::State {
-        let z = system.drift(*ahead, Self::DRIFT * h);
-        let z = system.kick(z, system.force(t + Self::DRIFT * h, z), (0.5 - Self::KICK) * h);
-        let z = system.drift(z, (1.0 - 2.0 * Self::DRIFT) * h);
-        let force = system.force(t + (1.0 - Self::DRIFT) * h, z);
-        let z = system.drift(system.kick(z, force, (0.5 - Self::KICK) * h), Self::DRIFT * h);
-        let force = system.force_with_gradient(t + h, z, Self::GRADIENT * (h * h));
-        *ahead = system.kick(z, force, 2.0 * Self::KICK * h);
+        let z = system.drift(*ahead, DRIFT * h);
+        let z = system.kick(z, system.force(t + DRIFT * h, z), (0.5 - KICK) * h);
+        let z = system.drift(z, (1.0 - 2.0 * DRIFT) * h);
+        let force = system.force(t + (1.0 - DRIFT) * h, z);
+        let z = system.drift(system.kick(z, force, (0.5 - KICK) * h), DRIFT * h);
+        let force = system.force_with_gradient(t + h, z, GRADIENT * (h * h));
+        *ahead = system.kick(z, force, 2.0 * KICK * h);
         // Only an observer reads what follows: without one the compiler removes it.
-        let z = system.kick(z, force, Self::KICK * h);
-        z + system.processing(z, &Self::PROCESSOR.over(h))
+        let z = system.kick(z, force, KICK * h);
+        z + system.processing(z, &PROCESSOR.over(h))
     }
 }
 // ANCHOR_END: step

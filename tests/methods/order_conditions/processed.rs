@@ -7,7 +7,7 @@
 //! ω³V''', and [B, [A, [A, B]]] has −2ωV'V''.
 
 use pendula::internals::double_double::DoubleDouble;
-use pendula::methods::{Processed4, Processed6};
+use pendula::internals::processed::{processed_4, processed_6};
 use pendula::systems::Processor;
 
 use super::splitting::{WordSeries, largest, modulo_the_square};
@@ -79,15 +79,15 @@ struct Kernel {
 }
 
 fn of_order_4() -> (Kernel, Processor) {
-    let kicks = vec![(0.0, 0.0), (1.0, Processed4::GRADIENT), (0.0, 0.0)];
-    (Kernel { kicks, drifts: vec![0.5, 0.5] }, Processed4::PROCESSOR)
+    let kicks = vec![(0.0, 0.0), (1.0, processed_4::GRADIENT), (0.0, 0.0)];
+    (Kernel { kicks, drifts: vec![0.5, 0.5] }, processed_4::PROCESSOR)
 }
 
 fn of_order_6() -> (Kernel, Processor) {
-    let (a, b) = (Processed6::DRIFT, Processed6::KICK);
-    let outer = (b, Processed6::GRADIENT);
+    let (a, b) = (processed_6::DRIFT, processed_6::KICK);
+    let outer = (b, processed_6::GRADIENT);
     let kicks = vec![outer, (0.5 - b, 0.0), (0.5 - b, 0.0), outer];
-    (Kernel { kicks, drifts: vec![a, 1.0 - 2.0 * a, a] }, Processed6::PROCESSOR)
+    (Kernel { kicks, drifts: vec![a, 1.0 - 2.0 * a, a] }, processed_6::PROCESSOR)
 }
 
 /// The whole step: the processor undone, the kernel, the processor.

@@ -10,7 +10,8 @@
 
 use super::{CheckResult, near, pendulum, run};
 use pendula::arithmetic::sine::{cos, sin};
-use pendula::methods::{ImplicitMidpoint, Processed6, StormerVerlet, SymplecticEuler, Trapezoidal};
+use pendula::internals::processed::processed_6;
+use pendula::methods::{ImplicitMidpoint, StormerVerlet, SymplecticEuler, Trapezoidal};
 use pendula::{AnyMethod, Pendulum, Phase, Separable, System};
 
 const STEP: f64 = 0.05;
@@ -78,15 +79,20 @@ pub const PROCESSED_4: Kernel = Kernel {
     processor: [1.0 / 24.0, 0.0, 0.0],
 };
 
-const A: f64 = Processed6::DRIFT;
-const B: f64 = Processed6::KICK;
+const A: f64 = processed_6::DRIFT;
+const B: f64 = processed_6::KICK;
 
 /// With the numbers of the method, which `tests/methods/order_conditions/processed.rs` holds to
 /// their equations.
 pub const PROCESSED_6: Kernel = Kernel {
-    kicks: &[(B, Processed6::GRADIENT), (0.5 - B, 0.0), (0.5 - B, 0.0), (B, Processed6::GRADIENT)],
+    kicks: &[
+        (B, processed_6::GRADIENT),
+        (0.5 - B, 0.0),
+        (0.5 - B, 0.0),
+        (B, processed_6::GRADIENT),
+    ],
     drifts: &[A, 1.0 - 2.0 * A, A],
-    processor: Processed6::PROCESSOR.coefficients(),
+    processor: processed_6::PROCESSOR.coefficients(),
 };
 
 impl Kernel {
