@@ -119,13 +119,6 @@ pub enum Measurement {
     Beyond(Beyond),
     /// That of a solver.
     OfSolver(OfSolver),
-    /// In words, with the reason.
-    Said {
-        /// What was measured.
-        measured: String,
-        /// How, or what follows.
-        why: String,
-    },
 }
 
 /// What the slopes of a ladder of steps say of a claimed order.
@@ -308,7 +301,6 @@ impl Measurement {
                 Beyond::Long { .. } => "other-in-long-steps",
             },
             Self::OfSolver(what) => what.name(),
-            Self::Said { .. } => "said",
         }
     }
 }

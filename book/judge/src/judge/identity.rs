@@ -1,13 +1,10 @@
 //! What it really is: the step compared with those of the library's methods, at finite steps, to
 //! the rounding.
 
-use core::fmt;
-
 use super::answers::{Match, Name};
 use super::claims::Claims;
 use super::equation::{Equation, Solver};
 use super::probe::{G_OVER_L, Probe, distance, exact, frequency, pendulum, states_after, step};
-use super::report::about;
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{Finding, Measurement};
 use crate::integrator::Request;
@@ -27,7 +24,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    pub(super) const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
+    pub(crate) const DIRECTLY: Self = Self { kicks: 0.0, drifts: 0.0 };
 
     pub(super) const ALL: [Self; 9] = [
         Self::DIRECTLY,
@@ -56,15 +53,6 @@ impl Seen {
     /// The method's own state for a state of the integrator.
     pub fn into_its_own(self, g_over_l: f64, z: Phase, h: f64) -> Phase {
         Self { kicks: -self.kicks, drifts: -self.drifts }.from_its_own(g_over_l, z, h)
-    }
-}
-
-impl fmt::Display for Seen {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (by, what) =
-            if self.kicks == 0.0 { (self.drifts, "drift") } else { (self.kicks, "kick") };
-        let much = if by.abs() == 1.0 { "a whole" } else { "half a" };
-        write!(f, "{much} {what} {}", if by > 0.0 { "ahead" } else { "behind" })
     }
 }
 
@@ -117,29 +105,6 @@ impl From<Match> for Identity {
     fn from(Match { known, apart, .. }: Match) -> Self {
         let (method, title) = names(known);
         Self { method, title, seen: Seen::DIRECTLY, angles_only: false, on: None, apart }
-    }
-}
-
-impl fmt::Display for Identity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { method, title, seen, angles_only, on, apart } = self;
-        f.write_str(title)?;
-        if title != method {
-            write!(f, " ({method})")?;
-        }
-        if *seen != Seen::DIRECTLY {
-            write!(f, ", seen {seen}")?;
-        }
-        if *angles_only {
-            f.write_str(", by its angles; the velocities are others")?;
-        }
-        if let Some(equation) = on {
-            write!(f, ", on {equation}")?;
-        }
-        match *apart {
-            0.0 => f.write_str(", to the bit in eight steps"),
-            apart => write!(f, ", to {} rad in eight steps", about(apart)),
-        }
     }
 }
 

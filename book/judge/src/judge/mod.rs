@@ -7,7 +7,7 @@ pub(crate) mod causes;
 pub(crate) mod claims;
 pub(crate) mod energy;
 pub(crate) mod equation;
-mod expansion;
+pub(crate) mod expansion;
 pub(crate) mod identity;
 mod loss;
 pub(crate) mod order;

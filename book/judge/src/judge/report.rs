@@ -11,7 +11,6 @@ use crate::property::Property;
 use pendula::systems::Phase;
 
 pub use crate::finding::Finding;
-pub use crate::words::numbers::{about, scientific};
 
 /// Measurements that a report can draw.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,5 @@
 //! What is said of one measurement: what came of it, and the verdict.
 
-use core::fmt;
-
 use crate::integrator::{Fault, Reply};
 
 /// What is to be said of a claim, or of all of them.
@@ -64,20 +62,6 @@ pub enum Trouble {
     Lost(String),
     /// It broke the protocol; the judging ends.
     Broken(String),
-}
-
-impl fmt::Display for Trouble {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoAnswer(why) => write!(f, "no answer: {why}"),
-            Self::Count { asked, came } if came > asked => {
-                write!(f, "more than the {asked} states that were asked for")
-            }
-            Self::Count { asked, came } => write!(f, "{came} states where {asked} were asked for"),
-            Self::NotFinite => f.write_str("a state is not finite"),
-            Self::Lost(why) | Self::Broken(why) => f.write_str(why),
-        }
-    }
 }
 
 impl From<Fault> for Trouble {

@@ -129,6 +129,25 @@ pub enum OfSolver {
         /// The tolerance.
         tolerance: f64,
     },
+    /// What came of requests that have no right answer.
+    Impossible {
+        /// Those that are not refused: what was asked for, and what came.
+        answered: Vec<(&'static str, Answered)>,
+        /// An answer that is off by more is wrong (rad).
+        wrong: f64,
+    },
+}
+
+/// What came in place of a refusal.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Answered {
+    /// A state at a time that never comes.
+    State,
+    /// A state that is off by this (rad).
+    Off(f64),
+    /// An answer that cannot be used, or none.
+    Unusable(Trouble),
 }
 
 /// How an error goes with the tolerance.
@@ -229,6 +248,8 @@ impl OfSolver {
             Self::Power { of: PowerOf::Error, .. } => "power-of-error",
             Self::Least { .. } | Self::LeastInSingle => "least-error",
             Self::Effort => "effort",
+            Self::Impossible { answered, .. } if answered.is_empty() => "refused",
+            Self::Impossible { .. } => "not-refused",
             Self::Between { .. } => "between-steps",
             Self::Free { .. } => "ends",
             Self::Rows { .. } => "rows",

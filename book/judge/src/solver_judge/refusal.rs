@@ -1,9 +1,10 @@
 //! What has no right answer.
 
 use super::asked::{self, Asked, Scenes};
+use super::found::{Answered, OfSolver};
 use crate::finding::Measurement;
 use crate::integrator::Fault;
-use crate::judge::report::{Finding, scientific};
+use crate::judge::report::Finding;
 use crate::judge::verdict::{Measured, Trouble, Verdict};
 
 /// A tolerance, and the end of a run in units of its duration.
@@ -33,34 +34,29 @@ pub fn finding(asked: Asked<'_>, claimed: bool) -> Measured<Finding> {
     if asked.solver.solve(&request(tolerance, until)) == Err(Fault::Unsupported) {
         return Err(Trouble::NoAnswer("it is not to be asked for the impossible".to_string()));
     }
-    let mut wrong = Vec::new();
+    let mut answered = Vec::new();
     for (name, tolerance, until) in IMPOSSIBLE {
         let request = request(tolerance, until);
         let what = match asked.reply(&request) {
-            Ok(_) if until.is_infinite() => "it has a state".to_string(),
+            Ok(_) if until.is_infinite() => Answered::State,
             Ok(reply) => match asked::errors(&request, &reply.states)[0] {
-                error if error > WRONG => {
-                    format!("a state that is off by {} rad", scientific(error))
-                }
+                error if error > WRONG => Answered::Off(error),
                 _ => continue,
             },
             Err(Trouble::NoAnswer(_) | Trouble::NotFinite) => continue,
             // Each of them would cost the patience.
             Err(trouble @ (Trouble::Lost(_) | Trouble::Broken(_))) => {
-                wrong.push(format!("{name}: {trouble}"));
+                answered.push((name, Answered::Unusable(trouble)));
                 break;
             }
-            Err(trouble) => trouble.to_string(),
+            Err(trouble) => Answered::Unusable(trouble),
         };
-        wrong.push(format!("{name}: {what}"));
+        answered.push((name, what));
     }
-    let (verdict, measured) = match wrong.is_empty() {
-        true => (Verdict::Holds, "the impossible has an error, or a right answer".to_string()),
-        false => (Verdict::Fails, wrong.join("; ")),
-    };
-    let why = format!("a state that is off by more than {WRONG} rad is a wrong answer");
+    let number = answered.len();
+    let verdict = if number == 0 { Verdict::Holds } else { Verdict::Fails };
     Ok(Finding {
-        measurement: Measurement::Said { measured, why },
-        ..Finding::number(wrong.len() as f64, "", 0.0, verdict)
+        measurement: Measurement::OfSolver(OfSolver::Impossible { answered, wrong: WRONG }),
+        ..Finding::number(number as f64, "", 0.0, verdict)
     })
 }

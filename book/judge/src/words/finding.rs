@@ -70,7 +70,6 @@ impl Finding {
             }
             Measurement::Beyond(_) => "different beyond the usual states and steps".to_string(),
             Measurement::OfSolver(what) => solver_finding::measured(self, what),
-            Measurement::Said { measured, .. } => measured.clone(),
         }
     }
 
@@ -221,7 +220,6 @@ impl Finding {
                 scientific(first)
             ),
             Measurement::OfSolver(what) => solver_finding::why(self, what),
-            Measurement::Said { why, .. } => why.clone(),
         }
     }
 }

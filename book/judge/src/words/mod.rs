@@ -5,10 +5,13 @@ mod advice;
 mod causes;
 mod departure;
 mod equation;
+mod expansion;
 mod finding;
+mod identity;
 pub mod numbers;
 mod report;
 pub mod solver_cause;
 mod solver_finding;
+mod trouble;
 
 pub use advice::sign_of_slopes;

@@ -5,7 +5,9 @@ use core::fmt;
 use super::numbers::{about, scientific};
 use super::solver_cause::{power, times};
 use crate::finding::Finding;
-use crate::solver_judge::found::{Ended, Ends, Falls, OfSolver, PowerOf, WrongPassage, WrongRows};
+use crate::solver_judge::found::{
+    Answered, Ended, Ends, Falls, OfSolver, PowerOf, WrongPassage, WrongRows,
+};
 
 /// Where nothing is claimed and no one power fits.
 fn varies([value, uncertainty]: [f64; 2], is_claimed: bool) -> &'static str {
@@ -46,6 +48,19 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
             format!("{what}off by {} rad at best", scientific(first))
         }
         OfSolver::LeastInSingle => format!("off by {} rad at best", scientific(first)),
+        OfSolver::Impossible { answered, .. } if answered.is_empty() => {
+            "the impossible has an error, or a right answer".to_string()
+        }
+        OfSolver::Impossible { answered, .. } => {
+            let each = answered.iter().map(|(name, came)| match came {
+                Answered::State => format!("{name}: it has a state"),
+                Answered::Off(error) => {
+                    format!("{name}: a state that is off by {} rad", scientific(*error))
+                }
+                Answered::Unusable(trouble) => format!("{name}: {trouble}"),
+            });
+            each.collect::<Vec<_>>().join("; ")
+        }
         OfSolver::Effort => {
             let [by_5, by_8] =
                 [0, 1].map(|k| finding.values.get(k).map_or("–".into(), |x| times(*x)));
@@ -189,6 +204,9 @@ pub fn why(finding: &Finding, what: &OfSolver) -> String {
             "of first power is only an estimate with a wrong weight, or that of a low order".into()
         }
         OfSolver::Power { .. } | OfSolver::Effort => String::new(),
+        OfSolver::Impossible { wrong, .. } => {
+            format!("a state that is off by more than {wrong} rad is a wrong answer")
+        }
         OfSolver::LeastInSingle => {
             format!("in single precision rounding may make {} of it", about(bound))
         }
