@@ -37,7 +37,9 @@
 //!
 //! Each of these tasks is a program of some twenty lines in the folder `examples/tasks` of the
 //! repository, the last one in `examples/judge.rs`. Beside it stands what it is in SciPy's
-//! `scipy.integrate` and in OrdinaryDiffEq.jl.
+//! `scipy.integrate` and in OrdinaryDiffEq.jl. Names that are not links need a
+//! [feature](#features): `trajectory`, `states`, `solve` and methods by name `alloc`, an `Ensemble`
+//! `ensemble`.
 //!
 //! | task | here | SciPy | OrdinaryDiffEq.jl |
 //! |---|---|---|---|
@@ -47,7 +49,7 @@
 //! | `henon_heiles`, with an energy | [`FromForce::with_potential`] | none | `HamiltonianProblem(H, p0, q0, tspan)` |
 //! | `bouncing_ball`, an event | [`AdaptiveSteps::crossings`](adaptive::AdaptiveSteps::crossings) | `events`, `terminal` | `ContinuousCallback` |
 //! | `output_times` | `Adaptive::states`, `Adaptive::solve` | `t_eval`, `dense_output` | `saveat`, `sol(t)` |
-//! | `adaptive_options` | [`first_step`](adaptive::Adaptive::first_step), [`max_step`](adaptive::Adaptive::max_step), [`Tolerance::for_each`](adaptive::Tolerance::for_each) | `first_step`, `max_step`, `atol` | `dt`, `dtmax`, `abstol` |
+//! | `adaptive_options` | [`first_step`](adaptive::Adaptive::first_step), [`max_step`](adaptive::Adaptive::max_step), [`Tolerance::new(atol, rtol)`](adaptive::Tolerance::new), [`for_each`](adaptive::Tolerance::for_each) | `first_step`, `max_step`, `rtol`, `atol` | `dt`, `dtmax`, `abstol` |
 //! | `ensemble`, many starts | `Ensemble` | none | `EnsembleProblem` |
 //! | `method_table`, a list of methods | `&[&dyn AnyMethod]` | a list of `method` | a list of `alg` |
 //! | `method_by_name` | `method_named("velocity-verlet")` | none | none |

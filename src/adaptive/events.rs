@@ -246,6 +246,28 @@ where
     /// step crossings are found on its dense output. Two zeros that lie closer than an eighth of a
     /// step can hide each other.
     ///
+    /// To stop at a crossing and go on differently, as with SciPy's `terminal`, take the first one,
+    /// and begin a new walk at its time with the state that you want:
+    ///
+    /// ```
+    /// use pendula::adaptive::{Adaptive, Direction, Tolerance};
+    /// use pendula::methods::DormandPrince;
+    /// use pendula::systems::FromRate;
+    ///
+    /// // A ball at 1 m, which keeps 0.8 of its velocity when it bounces.
+    /// let fall = FromRate::new(|_t, [_, velocity]: [f64; 2]| [velocity, -9.81]);
+    /// let adaptive = Adaptive::new(DormandPrince, Tolerance::uniform(1e-9)?);
+    /// let (mut t, mut z) = (0.0, [1.0, 0.0]);
+    /// for _ in 0..2 {
+    ///     let mut walk = adaptive.steps(&fall, z, t, t + 10.0)?;
+    ///     let hit = walk.crossings(Direction::Falling, |_t, z| z[0]).next().expect("it falls")?;
+    ///     (t, z) = (hit.t, [0.0, -0.8 * hit.z[1]]);
+    /// }
+    /// // √(2/g) down, and 0.8 of it up and down again.
+    /// assert!((t - 2.6 * (2.0_f64 / 9.81).sqrt()).abs() < 1e-6);
+    /// # Ok::<(), pendula::Error>(())
+    /// ```
+    ///
     /// It ends after an error: those of the steps, and [`Error::UndefinedEvent`] where `g` is NaN.
     pub fn crossings<G>(&mut self, direction: Direction, g: G) -> Crossings<'_, 'a, S, M, G>
     where

@@ -181,7 +181,8 @@ where
         Ok(Self { adaptive, system, memory, t, until, z, accepted, rejected, failed, reading })
     }
 
-    /// The time at which the last step ended (s), or the start.
+    /// The time at which the last step ended (s), or the start. A crossing or a state that was read
+    /// lies before it.
     pub const fn time(&self) -> f64 {
         self.t
     }
@@ -191,7 +192,8 @@ where
         self.until
     }
 
-    /// The state at which the last step ended, or the start.
+    /// The state at which the last step ended, or the start. After a crossing this is still the end
+    /// of its step: where you are is in the [`Crossing`](super::Crossing).
     pub const fn state(&self) -> S::State {
         self.z
     }

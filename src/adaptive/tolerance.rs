@@ -41,7 +41,9 @@ pub struct Tolerance<'a> {
 pub const SMALLEST_RELATIVE: f64 = 10.0 * f64::EPSILON;
 
 impl<'a> Tolerance<'a> {
-    /// `absolute` in the units of the components (rad, rad/s), and `relative` to them.
+    /// `absolute` in the units of the components (rad, rad/s), and `relative` to them. **The
+    /// absolute tolerance comes first**: what SciPy calls `rtol=1e-8, atol=1e-10` is
+    /// `Tolerance::new(1e-10, 1e-8)`.
     ///
     /// # Errors
     /// [`Error::Parameter`] for an absolute tolerance that is not finite and positive, and for a

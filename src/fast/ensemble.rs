@@ -18,9 +18,10 @@ use crate::systems::{Counting, Pendulum, Phase, System};
 /// Pendulums, or other systems, with their starts and the grid of times: one system for all starts,
 /// or one for each.
 ///
-/// Pendulums take their [steps in lanes](Self::ends) of the vector registers; any system takes them
-/// [one start after the other](Self::ends_one_by_one). With the feature `parallel` both share
-/// blocks of 32 starts among all cores: fewer starts are the work of one.
+/// Pendulums take their [steps in lanes](Self::ends) of the vector registers, by `ends` and
+/// `watch`. Any other system takes them one start after the other, by
+/// [`ends_one_by_one`](Self::ends_one_by_one) and `watch_one_by_one`. With the feature `parallel`
+/// both share blocks of 32 starts among all cores: fewer starts are the work of one.
 ///
 /// ```
 /// use pendula::{Ensemble, Grid, Pendulum, Phase, StormerVerlet, integrate_fast};

@@ -4,6 +4,8 @@ use crate::error::{Error, MAX_STEPS, finite, positive};
 
 /// The times n h for n = 0 … N (s).
 ///
+/// It begins at t = 0. If your system depends on the time and starts at t₀, add t₀ in its closure.
+///
 /// Time is the product of count and step, never a sum: adding 0.1 ten thousand times misses 1000 s
 /// and, tested with `t < end`, can take a step too many.
 ///

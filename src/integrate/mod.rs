@@ -140,6 +140,20 @@ where
 /// [`integrate()`], with each sample passed to `observer`: the last state is the one at the end of
 /// the grid, or the one that satisfied the observer.
 ///
+/// An observer can be a closure of the number of steps, the time (s) and the state, whose types you
+/// write out:
+///
+/// ```
+/// use pendula::{Grid, Pendulum, Phase, Rk4, integrate_with};
+///
+/// let mut highest = 0.0_f64;
+/// let mut observe = |_n: u64, _t: f64, z: Phase| highest = highest.max(z.theta);
+/// let grid = Grid::with_duration(0.01, 10.0)?;
+/// integrate_with(&Pendulum::PAPER, &Rk4, Phase::at_rest(1.0), &grid, &mut observe);
+/// assert!((highest - 1.0).abs() < 1e-6);
+/// # Ok::<(), pendula::Error>(())
+/// ```
+///
 /// The loop owns the method's carry, so that a force left over from another trajectory cannot be
 /// used; and it computes time from the count of steps.
 #[inline]

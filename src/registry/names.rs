@@ -60,7 +60,9 @@ pub trait ByName: System + 'static {
 
 /// The method [called](crate::MethodInfo::is_called) so, by its name or an alias, capitals and
 /// hyphens aside; none if there is no such method, or if it needs more of a system than this one
-/// has.
+/// has. Its steps are those of the grid: `rk45` is Dormand and Prince's method with *fixed* steps.
+/// For steps that follow a tolerance, as in SciPy, there is
+/// [`AnyEmbedded::named`](crate::adaptive::AnyEmbedded::named).
 ///
 /// ```
 /// use pendula::{Damped, Grid, Pendulum, Phase, method_named};

@@ -38,7 +38,7 @@ pub struct FromForce<const N: usize, F, V = ()> {
 }
 
 impl<const N: usize, F: Fn(f64, [f64; N]) -> [f64; N]> FromForce<N, F> {
-    /// The system with these accelerations a(t, x).
+    /// The system with these accelerations a(t, x): forces, divided by the masses.
     pub const fn new(acceleration: F) -> Self {
         Self { acceleration, potential: (), masses: [1.0; N] }
     }
@@ -56,8 +56,8 @@ impl<const N: usize, F: Fn(f64, [f64; N]) -> [f64; N]> FromForce<N, F> {
 }
 
 impl<const N: usize, F, V> FromForce<N, F, V> {
-    /// The same with a mass for each position, for the kinetic energy. The accelerations stay as
-    /// they are.
+    /// The same with a mass for each position, for the kinetic energy alone: what the closure gives
+    /// is an acceleration as before, and is divided by nothing.
     #[must_use]
     pub fn with_masses(self, masses: [f64; N]) -> Self {
         Self { masses, ..self }
@@ -92,10 +92,28 @@ impl<const N: usize, F: Fn(f64, [f64; N]) -> [f64; N], V> Separable for FromForc
     }
 }
 
+#[diagnostic::on_unimplemented(
+    message = "this `FromForce` has no energy",
+    note = "it has one with a potential: `FromForce::new(…).with_potential(|x| …)`"
+)]
+/// The potential energy of a [`FromForce`]: a closure of the positions.
+pub trait Potential<const N: usize> {
+    /// V(x).
+    #[doc(hidden)]
+    fn at(&self, positions: [f64; N]) -> f64;
+}
+
+impl<const N: usize, V: Fn([f64; N]) -> f64> Potential<N> for V {
+    #[inline(always)]
+    fn at(&self, positions: [f64; N]) -> f64 {
+        self(positions)
+    }
+}
+
 impl<const N: usize, F, V> Hamiltonian for FromForce<N, F, V>
 where
     F: Fn(f64, [f64; N]) -> [f64; N],
-    V: Fn([f64; N]) -> f64,
+    V: Potential<N>,
 {
     /// Σ ½ mᵢ vᵢ² + V(x), in the units of the masses and of the potential.
     fn energy(&self, z: ArrayPhase<N>) -> f64 {
@@ -103,7 +121,7 @@ where
         for (m, v) in self.masses.iter().zip(&z.velocities) {
             kinetic += 0.5 * m * v * v;
         }
-        kinetic + (self.potential)(z.positions)
+        kinetic + self.potential.at(z.positions)
     }
 }
 

@@ -22,6 +22,10 @@ use super::{Array, RateOf, State, System};
 /// # Ok::<(), pendula::Error>(())
 /// ```
 ///
+/// What comes back is an [`Array`] too: from `integrate`, `trajectory` and `states`, from crossings
+/// and to observers. You index it, `end[0]`, or take it apart by `Array([x, y, z])`; the pattern
+/// `[x, y, z]` alone is for the closure of the rate.
+///
 /// Methods for every [`System`] integrate it, and so do steps that vary. For a splitting method
 /// give the accelerations alone, by [`FromForce`](super::FromForce), or implement
 /// [`Separable`](crate::Separable) for a type of your own.

@@ -110,7 +110,7 @@ pub use compensated::{Compensated, CompensatedPhase};
 pub use damped::Damped;
 pub use double_pendulum::{DoublePendulum, DoublePhase, Joint, LARGEST_MASS_RATIO};
 pub use driven::Driven;
-pub use from_force::FromForce;
+pub use from_force::{FromForce, Potential};
 pub use from_rate::{AsState, FromRate};
 pub use gradient::{ForceGradient, Processor};
 pub use linear_oscillator::LinearOscillator;

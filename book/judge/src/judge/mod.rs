@@ -403,7 +403,9 @@ impl Judge<'_> {
         let judged = claims.symplectic || claims.symmetric || listed.is_some();
         let claimed = if judged { self.claims.implied() } else { None };
         let loss = loss.unwrap_or_else(|| {
-            Err(Trouble::NoAnswer("it conserves nothing in which a loss would show".to_string()))
+            Err(Trouble::NoAnswer(
+                "nothing that it conserves was found in which a loss would show".to_string(),
+            ))
         });
         self.note(Property::Loss, claimed, loss, loss::Loss::judge)?;
         let name = self.name.clone();

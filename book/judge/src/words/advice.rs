@@ -34,9 +34,13 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Output(departure) => {
-                write!(f, "The adapter or the output: {}", departure.clause())?;
+                write!(
+                    f,
+                    "The adapter or the output is at fault, and not the method, because {}",
+                    departure.clause()
+                )?;
                 match unit(departure) {
-                    Some(unit) => write!(f, ": {}", of_unit(unit)),
+                    Some(unit) => write!(f, ", which are {}", of_unit(unit)),
                     None => Ok(()),
                 }
             }
@@ -90,25 +94,30 @@ impl fmt::Display for Cause {
                 )
             }
             Self::Beyond(beyond) => {
-                f.write_str("It is right for the usual states and steps alone: ")?;
+                f.write_str("It is right for the usual states and step sizes alone: ")?;
                 match beyond {
                     Beyond::Fast { velocity, .. } => {
-                        write!(f, "it is another one in a rotation with |ω| = {velocity} √(g/L)")
+                        write!(
+                            f,
+                            "it behaves differently in a rotation with |ω| = {velocity} \
+                                   √(g/L)"
+                        )
                     }
                     Beyond::Small { amplitude, .. } => {
-                        write!(f, "it is another one in a swing of {} rad", about(*amplitude))
+                        write!(f, "it behaves differently in a swing of {} rad", about(*amplitude))
                     }
                     Beyond::Long { x } if *x < 1.0 => {
-                        f.write_str("it is another one in a fast rotation")
+                        f.write_str("it behaves differently in a fast rotation")
                     }
                     Beyond::Long { x } => {
-                        write!(f, "it is another one in steps of ω₀h = {x}")
+                        write!(f, "it behaves differently in steps of ω₀h = {x}")
                     }
                     Beyond::Same { .. } => f.write_str("look at what was not measured"),
                 }
             }
             Self::ConstantInSeconds => f.write_str(
-                "A constant in seconds is in it: a largest or smallest step, a rate, a limit",
+                "It contains a constant in seconds. Look for a largest or smallest step, a rate \
+                 or a limit",
             ),
             Self::SlopesFall { claimed, last } => {
                 let sign = match *last {
@@ -126,7 +135,11 @@ impl fmt::Display for Cause {
                  order {claimed} is {other}"
             ),
             Self::ClaimTooHigh { title, order, claimed } => {
-                write!(f, "The claim is wrong, because {title} has order {order}, not {claimed}")
+                write!(
+                    f,
+                    "{title} has order {order}, not {claimed}. Correct the claim, or the \
+                           code if you meant another method"
+                )
             }
             Self::DriveAtWrongTimes { order } => write!(
                 f,
@@ -142,16 +155,19 @@ impl fmt::Display for Cause {
                 match binary {
                     Some(24) => write!(
                         f,
-                        "A step rounds by {by}: single precision, as its numbers have 24 binary \
-                         digits"
+                        "A step rounds by {by}, because its numbers have 24 binary digits: single \
+                         precision. Claim single-precision if you mean it"
                     ),
                     Some(11) => write!(
                         f,
-                        "A step rounds by {by}: half precision, as its numbers have 11 binary \
-                         digits"
+                        "A step rounds by {by}, because its numbers have 11 binary digits: half \
+                         precision"
                     ),
                     Some(digits) => {
-                        write!(f, "A step rounds by {by}: its numbers have {digits} binary digits")
+                        write!(
+                            f,
+                            "A step rounds by {by}, because its numbers have {digits} binary digits"
+                        )
                     }
                     None => write!(
                         f,
@@ -204,7 +220,7 @@ fn mistake(known: &Known) -> String {
     let Known { name, mistake, .. } = known;
     let Some(Mistake { of, what, effect, seen }) = mistake else { return name.clone() };
     let seen = if seen == "usual" { String::new() } else { format!("; seen in {seen}") };
-    format!("It is a known mistake in {of}, {name}: {what} ({effect}{seen})")
+    format!("This is the known mistake {name} of {of}: {what} ({effect}{seen})")
 }
 
 impl fmt::Display for Resemblance {
@@ -215,17 +231,29 @@ impl fmt::Display for Resemblance {
             But::Nothing => Ok(()),
             But::Seen(seen) if seen.drifts == 0.0 => write!(
                 f,
-                " seen {seen}: the velocities that it starts from, and those that it reports, lie \
-                 beside the angles' times"
+                "with states that lie {seen}: the velocities that it is given and returns belong \
+                 to other times than the angles"
             ),
             But::Seen(seen) => {
-                write!(f, " seen {seen}: its angles lie beside the velocities' times")
+                write!(
+                    f,
+                    "with states that lie {seen}: its angles belong to other times than its \
+                           velocities"
+                )
             }
             But::Reported(seen) => {
                 let half = if seen.kicks.abs() == 0.5 { ": velocities at half steps" } else { "" };
-                write!(f, ", but the states that it reports are {seen} of its own{half}")
+                write!(
+                    f,
+                    ", but the states that it reports lie {seen}, compared with those it \
+                           computes{half}"
+                )
             }
-            But::Begun(seen) => write!(f, ", but begun {seen} of the state that it is given"),
+            But::Begun(seen) => write!(
+                f,
+                ", but it begins {seen}, compared with the state that \
+                                           it is given"
+            ),
             But::WithoutFirstHalfKick => f.write_str(", but each step lacks its first half kick"),
             But::WithoutLastHalfKick => f.write_str(", but each step lacks its last half kick"),
         }
@@ -247,7 +275,11 @@ impl fmt::Display for Scaled {
             }
             Self::Gravity(times) => {
                 let (times, right) = (near_one(times), right_to(times));
-                write!(f, "its kicks add up to {times} times the g/L that is asked for{right}")?;
+                write!(
+                    f,
+                    "the kicks of a step are together {times} times as large as g/L makes \
+                           them{right}"
+                )?;
                 if times == "1.5" { f.write_str("; a uniform rod has 1.5 g/L") } else { Ok(()) }
             }
             Self::Fixed(g_over_l) => {
@@ -271,7 +303,7 @@ fn right_to(times: f64) -> String {
         return String::new();
     }
     let digits = libm::round(-libm::log10(off));
-    format!(", right to {digits} digits: a coefficient, or g or L, has too few")
+    format!("; a coefficient, or g or L, is right to only {digits} digits")
 }
 
 /// What slopes that leave the claimed order, as steps become short, are a sign of, in a sentence

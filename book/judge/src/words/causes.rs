@@ -29,7 +29,9 @@ const fn of_rows(rows: Rows) -> &'static str {
 /// What is said of a cause, in a sentence without its full stop.
 pub fn of_cause(shown: &Shown) -> String {
     match shown {
-        Shown::SizeOfStep => "It takes the size of h: a step of −h is one of h".to_string(),
+        Shown::SizeOfStep => "It takes the absolute value of h, so that a step of −h is a step of \
+                              h"
+        .to_string(),
         Shown::Step(TakenStep::Single) => "Its step is h in single precision".to_string(),
         Shown::Step(TakenStep::Rounded(to)) => {
             format!("Its step is h rounded to {} s", Scientific(*to, 0))
@@ -42,7 +44,7 @@ pub fn of_cause(shown: &Shown) -> String {
         }
         Shown::MoreSteps(steps, by) => {
             let taken = *steps as i64 + by;
-            format!("A run of {steps} steps takes {taken}: look at how its end is told")
+            format!("A run of {steps} steps takes {taken}. Look at the condition that ends it")
         }
         Shown::FirstSteps(of_steps) => {
             let times: Vec<String> = of_steps.iter().map(|times| few(*times)).collect();
@@ -57,7 +59,11 @@ pub fn of_cause(shown: &Shown) -> String {
             format!("{first} {} h long, and those after {them} h{zero}", times.join(", "))
         }
         Shown::Rows(rows, title) => {
-            format!("The adapter or the output: {}; its steps are those of {title}", of_rows(*rows))
+            format!(
+                "The adapter or the output is at fault, because {}. Its steps are those of \
+                     {title}",
+                of_rows(*rows)
+            )
         }
         Shown::Limit(most, false) => {
             format!("Its velocity is limited to {} rad/s, whatever g/L is", few(*most))
@@ -80,9 +86,9 @@ pub fn of_cause(shown: &Shown) -> String {
             scientific(*by)
         ),
         Shown::OneBottom(power) => format!(
-            "From a whole turn higher a step is another one, by what falls with h to the power \
-                 {power:.0} and grows with the turns: it knows one bottom, θ = 0, as a method with \
-                 a linear part does"
+            "A step from a whole turn higher is not the same step. The difference falls with h to \
+             the power {power:.0} and grows with the number of turns, because the method is \
+             written about one bottom, θ = 0, as a method with a linear part is"
         ),
         Shown::Gravity(decimals) => format!("Its g/L is rounded to {decimals} decimals"),
     }

@@ -13,9 +13,11 @@ impl Departure {
             Self::Force(equation) => {
                 format!("It solves {equation}: {}", SHAPES[equation.shape].words)
             }
-            Self::SineOfDegrees(_) => "The force is the sine of θ taken in degrees".to_string(),
+            Self::SineOfDegrees(_) => "The sine in the force takes θ for degrees, but θ is in \
+                                       radians"
+                .to_string(),
             Self::Sign(_) => {
-                "The force has the wrong sign: θ = 0 is where it falls from".to_string()
+                "The force has the wrong sign: it pushes the pendulum away from θ = 0".to_string()
             }
             Self::Gravity(equation) => {
                 let rod = if (equation.times() - 1.5).abs() < 1e-6 {
@@ -48,7 +50,7 @@ impl Departure {
                 )
             }
             Self::Damping(equation) | Self::QuadraticDamping(equation) => {
-                format!("It solves a damped pendulum: {}", braked(equation))
+                format!("It solves another pendulum: {}", braked(equation))
             }
             Self::Torque(equation) => {
                 format!("It solves another pendulum: {}", pushed(equation))
@@ -113,8 +115,8 @@ impl Departure {
                     Added::Step => "the step itself",
                 };
                 format!(
-                    "The stages add {what} to θ: quantities of different units. A method for θ̈ \
-                     needs stages for both θ and ω"
+                    "The stages add {what} to θ, although the two have different units. A method \
+                     for θ̈ needs stages for both θ and ω"
                 )
             }
             Self::StartIgnored(Of::Angle) => {
@@ -155,11 +157,14 @@ impl Departure {
             }
             Self::FromTheTop => "It returns the angle from the top".to_string(),
             Self::RowsLate(1) => {
-                "Each state is returned a step late: the first row is the start".to_string()
+                "Each state is returned a step late: the first row is the start, not the state \
+                 after one step"
+                    .to_string()
             }
             Self::RowsLate(by) => format!("Each state is returned {by} steps late"),
             Self::RowsEarly(1) => {
-                "Each state is returned a step early: the first row is that of two steps"
+                "Each state is returned a step early: the first row is the state after two steps, \
+                 not after one"
                     .to_string()
             }
             Self::RowsEarly(by) => format!("Each state is returned {by} steps early"),
@@ -222,12 +227,12 @@ fn lowered(sentence: &str) -> String {
 fn braked(equation: &Equation) -> String {
     let all: Vec<_> = equation.besides().collect();
     match &all[..] {
-        [by] if by.term == 1 => format!("ω is braked at {} times its square", beside(by)),
+        [by] if by.term == 1 => format!("ω is damped by {} times its square", beside(by)),
         [by, ..] if by.term == 0 && all.len() == 1 => {
-            let driven = if by.value < 0.0 { "driven" } else { "braked" };
-            format!("ω is {driven} at {}", beside(by).trim_start_matches('−'))
+            let driven = if by.value < 0.0 { "amplified" } else { "damped" };
+            format!("ω is {driven} at a rate of {}", beside(by).trim_start_matches('−'))
         }
-        _ => "ω is braked".to_string(),
+        _ => "ω is damped".to_string(),
     }
 }
 

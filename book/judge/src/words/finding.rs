@@ -4,6 +4,7 @@ use super::numbers::{about, scientific, slopes};
 use super::solver_finding;
 use crate::finding::{Beyond, EnergyLaw, Finding, LossBy, Measurement, OtherAnswer, Slopes};
 use crate::judge::verdict::{Trouble, Verdict};
+use crate::property::Property;
 
 /// The pendulum's equation.
 const RIGHT: &str = "θ̈ = −(g/L) sin θ";
@@ -54,7 +55,7 @@ impl Finding {
             Measurement::NoKnownMethod => "none that is known".to_string(),
             Measurement::Mistake(name) => format!("the known mistake {name}"),
             Measurement::DrivenSlopes { .. } if self.values.is_empty() => {
-                "rounding with a drive".to_string()
+                "only rounding with a drive".to_string()
             }
             Measurement::DrivenSlopes { .. } => {
                 format!("slopes with a drive {}", slopes(&self.values))
@@ -94,8 +95,8 @@ impl Finding {
             }
             Measurement::Slopes(found) => of_slopes(*found),
             Measurement::Area { x, ruler } => format!(
-                "A step of x = ω₀h = {x:.1} changes a small area by {} of it. The measurement is \
-                 right to within {}.",
+                "A step of x = ω₀h = {x:.1} changes a small area by the fraction det J − 1 = {}. \
+                 The measurement is right to within {}.",
                 scientific(first),
                 about(*ruler)
             ),
@@ -111,8 +112,12 @@ impl Finding {
             Measurement::EnergyAtEnds { x, steps, law } => {
                 let last = self.values.last().copied().unwrap_or(f64::NAN);
                 let follows = match (self.verdict, law) {
-                    (Verdict::Unclear, EnergyLaw::Rounding) => " Both are rounding.",
-                    (Verdict::Unclear, _) => " It grows a little, or wanders.",
+                    (Verdict::Unclear, EnergyLaw::Rounding) => {
+                        " Both are rounding, so this run cannot show whether the energy is bounded."
+                    }
+                    (Verdict::Unclear, _) => {
+                        " It grows a little, or wanders, and the run is too short to tell which."
+                    }
                     _ => "",
                 };
                 format!(
@@ -122,12 +127,22 @@ impl Finding {
                     scientific(last)
                 )
             }
-            Measurement::Apart { by_tolerance } => format!(
-                "The runs differ by up to {} rad. Rounding explains at most {} rad.{}",
-                scientific(first),
-                about(bound),
-                may(*by_tolerance)
-            ),
+            Measurement::Apart { by_tolerance } => {
+                let runs = match self.property {
+                    Property::Mirror => {
+                        "The run from (−θ, −ω), mirrored, and the run from (θ, ω) differ"
+                    }
+                    Property::Units => "The run and the same run in other units of time differ",
+                    Property::Turn => "The run from a whole turn higher and the run itself differ",
+                    _ => "The runs differ",
+                };
+                format!(
+                    "{runs} by up to {} rad. Rounding explains at most {} rad.{}",
+                    scientific(first),
+                    about(bound),
+                    may(*by_tolerance)
+                )
+            }
             Measurement::InPieces { steps, remembers } => {
                 let what = match (self.verdict, remembers) {
                     (Verdict::Holds, true) => " A method that remembers older states may do so.",
@@ -153,7 +168,10 @@ impl Finding {
             .to_string(),
             Measurement::Rounding { cut_off: Some(cut_off) } => format!("{}.", cut_off.sentence()),
             Measurement::Rounding { cut_off: None } => {
-                format!("A step rounds a state of order 1 by {}.", about(first))
+                format!(
+                    "A step from angles and velocities of about 1 rounds them by {}.",
+                    about(first)
+                )
             }
             Measurement::Lost { by, by_tolerance } => {
                 let by = match by {
@@ -192,7 +210,11 @@ impl Finding {
                 None if *rounding => {
                     "With a drive the error is rounding even at the longest steps.".to_string()
                 }
-                None => "With a drive too few step sizes show more than rounding.".to_string(),
+                None => {
+                    "With a drive no order can be told, because the error is larger than rounding \
+                     at too few step sizes."
+                        .to_string()
+                }
             },
             Measurement::Beyond(Beyond::Same { .. }) => String::new(),
             Measurement::Beyond(Beyond::Fast { velocity, power, usual }) => {

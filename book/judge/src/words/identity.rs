@@ -22,17 +22,18 @@ impl fmt::Display for Identity {
             write!(f, " ({method})")?;
         }
         if *seen != Seen::DIRECTLY {
-            write!(f, ", seen {seen}")?;
+            write!(f, ", but its states lie {seen}")?;
         }
         if *angles_only {
-            f.write_str(", by its angles; the velocities are others")?;
+            f.write_str(", by its angles alone, because its velocities are not the method's")?;
         }
         if let Some(equation) = on {
             write!(f, ", on {equation}")?;
         }
+        let what = if *angles_only { "the angles of eight steps" } else { "eight steps" };
         match *apart {
-            0.0 => f.write_str(", to the bit in eight steps"),
-            apart => write!(f, ", to {} rad in eight steps", about(apart)),
+            0.0 => write!(f, ": {what} agree to the bit"),
+            apart => write!(f, ": {what} agree to {} rad", about(apart)),
         }
     }
 }

@@ -100,8 +100,8 @@ impl fmt::Display for Description {
                 let power = raised(*order as usize + 1);
                 write!(
                     f,
-                    "; the error of a step at (1 rad, ω₀) is ({theta}, {omega}) x{power} in θ and \
-                     ω/ω₀"
+                    "; from θ = 1 rad and ω = ω₀ a step errs by {theta} x{power} in θ and {omega} \
+                     x{power} in ω/ω₀, where x = ω₀h"
                 )
             }
             Self::Solver { order: Some(order), estimate: Some(estimate) } => {

@@ -44,8 +44,9 @@ impl fmt::Display for SolverCause {
             Self::IdleTolerance { tolerance, error } => {
                 return write!(
                     f,
-                    "From {} on the tolerance does nothing: all answers are the same to the bit, \
-                     off by {} rad",
+                    "At tolerances of {} and below all answers are the same to the bit, off by {} \
+                     rad, because the tolerance is not used there. Look for a floor under it, and \
+                     at where it is passed on",
                     about(*tolerance),
                     scientific(*error)
                 );
@@ -53,7 +54,7 @@ impl fmt::Display for SolverCause {
             Self::ClockRate { later, duration } => {
                 return write!(
                     f,
-                    "Its time goes wrong, by {} s in {duration:.0} s",
+                    "Its clock is wrong, by {} s in {duration:.0} s",
                     scientific(*later)
                 );
             }
@@ -61,9 +62,9 @@ impl fmt::Display for SolverCause {
                 let side = |shift: f64| if shift > 0.0 { "later" } else { "earlier" };
                 return write!(
                     f,
-                    "State and time come apart on the way: after {time:.1} s it has the state of \
-                     {} s {}, and after {duration:.0} s that of {} s {}. Look at what becomes of \
-                     both where a step is refused",
+                    "State and time do not belong together: after {time:.1} s the state is that \
+                     of {} s {}, and after {duration:.0} s that of {} s {}. Look at whether a \
+                     rejected step leaves both time and state unchanged",
                     scientific(early.abs()),
                     side(*early),
                     scientific(late.abs()),
@@ -73,14 +74,17 @@ impl fmt::Display for SolverCause {
             Self::RunsOver(by) => {
                 return write!(
                     f,
-                    "At the end it has the state of {} s later: the last step runs over the end",
+                    "The last state of a run is right for a time {} s later, because the last \
+                     step runs over the end. Shorten it, or interpolate",
                     scientific(*by)
                 );
             }
             Self::StopsBefore(by) => {
                 return write!(
                     f,
-                    "At the end it has the state of {} s earlier: a run stops before its end",
+                    "The last state of a run is right for a time {} s earlier, because the run \
+                     stops before its end. Look at the last step, and for a limit of steps that \
+                     ends a run without an error",
                     scientific(*by)
                 );
             }
@@ -93,25 +97,27 @@ impl fmt::Display for SolverCause {
                 );
             }
             Self::Outputs { single: true, .. } => {
-                "Outputs between steps are numbers of single precision"
+                "Outputs between steps have only single precision, and the steps have more. Look \
+                 at the types in the dense output"
             }
             Self::Outputs { degree: None, power: None, .. } => {
-                "Outputs between steps are worse than the steps, and as bad at small tolerances: \
-                 digits are cut off, or times"
+                "Outputs between steps are less accurate than the steps, and do not improve at \
+                 small tolerances. Look for states or times that are rounded"
             }
             Self::Outputs { ends_too, degree, power: falls, .. } => {
                 f.write_str(match ends_too {
-                    true => "The end of a run is interpolated, like all outputs",
-                    false => "Outputs between steps are worse than the steps",
+                    true => "The end of a run is interpolated, as every output is",
+                    false => "Outputs between steps are less accurate than the steps",
                 })?;
                 if let Some(degree) = degree {
-                    write!(f, ": they come from {}", polynomial(*degree))?;
+                    write!(f, ", because they come from {}", polynomial(*degree))?;
                 }
                 return match falls {
                     Some(falls) => {
                         write!(
                             f,
-                            "; their error falls with the power {} of the step",
+                            ". The error of outputs falls with the power {} of the step size. \
+                             Look at the dense output",
                             power(*falls)
                         )
                     }
@@ -121,9 +127,10 @@ impl fmt::Display for SolverCause {
             Self::ErrorStays { tolerance, error } => {
                 return write!(
                     f,
-                    "Below {} the error stays at {} rad, though the steps change: something is not \
-                     held to the tolerance, as a first step that is not checked, a constant of few \
-                     digits, or rounding in large weights",
+                    "At tolerances below {} the error stays at {} rad, although the steps change. \
+                     Something does not follow the tolerance. Look at whether the error of the \
+                     first step is checked, for a constant with few digits, and for large weights, \
+                     which magnify rounding",
                     about(*tolerance),
                     scientific(*error)
                 );
@@ -131,9 +138,9 @@ impl fmt::Display for SolverCause {
             Self::OrderIs(found) => {
                 return write!(
                     f,
-                    "The error falls with the power {} of the evaluations: look at the \
-                     coefficients of stages and step, at the slope with which a step begins, and \
-                     at which of the two results is handed on",
+                    "Its order is {}, because the error falls with that power of the evaluations. \
+                     Look at the coefficients of stages and step, at the slope with which a step \
+                     begins, and at which of the two results of the pair the next step begins with",
                     power(*found)
                 );
             }
@@ -148,9 +155,10 @@ impl fmt::Display for SolverCause {
             Self::ManyTolerances(ratio) => {
                 return write!(
                     f,
-                    "The error is up to {} tolerances for each evaluation: a step errs by more \
-                     than its estimate says, as with the slope of a refused step, or is held to \
-                     another tolerance",
+                    "The error is up to {} times the tolerance times the number of evaluations, \
+                     because the error of a step is larger than its estimate, or because the \
+                     estimate is compared with another tolerance. Look at the slope with which a \
+                     step begins after a rejected one, and at where the tolerance is used",
                     times(*ratio)
                 );
             }
@@ -171,55 +179,76 @@ impl fmt::Display for SolverCause {
                     scientific(*error)
                 );
             }
-            Self::SinglePrecision => "States are numbers of single precision",
+            Self::SinglePrecision => {
+                "States have only single precision. Compute in double \
+                                      precision, or claim single-precision"
+            }
             Self::FirstPower => {
-                "The estimate is of first power, as with a wrong weight of the embedded method"
+                "The error estimate falls only with the first power of the step size, as it does \
+                 where a weight of the embedded method is wrong. Look at these weights: those of \
+                 the estimate have to add up to 0"
             }
             Self::OtherStart => {
-                "With another t₀ it is wrong: t₀ is not heeded, or time has too few digits"
+                "A run that starts far from t = 0 is wrong, because t₀ is ignored, or because the \
+                 time has too few digits"
             }
             Self::NeverRight => {
-                "At no tolerance is it right: look at the equation, at what is taken and handed \
-                 out, and at the coefficients of stages and step"
+                "It is wrong at every tolerance. Look at the equation, at what is taken and \
+                 returned, and at the coefficients of stages and step"
             }
             Self::StartWrapped => {
-                "A start beyond half a turn comes out whole turns off: its angle is wrapped"
+                "A run whose start lies beyond half a turn is off by whole turns, because the \
+                 angle of the start is wrapped"
             }
             Self::Backwards => {
-                "Backwards it is wrong: look at the sign of the step where times are compared"
+                "Runs backwards in time are wrong. Look at the sign of the step where times are \
+                 compared. Claim forward-only if it is not meant to run backwards"
             }
             Self::LastOfMany => {
                 "The end of a run is right where it is asked for alone, and wrong as the last of \
                  many outputs"
             }
-            Self::Rows => "Rows are missing, or not those of their times: see the property rows",
-            Self::AnswersDiffer => {
-                "The same question has different answers: something is kept from one request to \
-                 the next, or random"
+            Self::Rows => {
+                "Rows are missing, or are not the states at the times that were asked \
+                           for. The property rows says which"
             }
-            Self::OutputsMoveRun => "Asking for outputs changes the run",
-            Self::EverySecondPassage => "Every second crossing is missed",
+            Self::AnswersDiffer => {
+                "The same request has different answers. Look for what is kept from one request \
+                 to the next, and for random numbers"
+            }
+            Self::OutputsMoveRun => {
+                "A run with outputs ends in another state than one without. \
+                                     Look at what an output changes in the solver, such as the \
+                                     size of the next step"
+            }
+            Self::EverySecondPassage => {
+                "Every second zero crossing is missed. Look at changes of \
+                                         sign in both directions"
+            }
             Self::PassagesElsewhere => {
-                "Passages through zero are right from t₀ = 0 on and wrong from another: t₀ is not \
-                 heeded there, or time has too few digits"
+                "Zero crossings are right in a run from t₀ = 0 and wrong in one from another t₀, \
+                 because t₀ is ignored there, or because the time has too few digits"
             }
             Self::PassagesOffZero => {
-                "The angle is not zero where a passage is told: find the time as a root of the \
-                 states between steps, not on a straight line between two of them"
+                "The angle is not zero at a crossing that is reported. Find the time as a root of \
+                 the dense output, not on a straight line between two states"
             }
             Self::Passages => {
-                "Passages through zero are missed, or not where the angle is zero: look for a \
-                 change of its sign in each step, and find the time as a root of the states \
-                 between steps"
+                "Zero crossings are missed, or reported where the angle is not zero. Look for a \
+                 change of its sign in each step, and find the time as a root of the dense output"
             }
             Self::ManySlow => "The time for many outputs grows faster than their number",
-            Self::NotRefused => "A tolerance or a time that makes no sense has to end in an error",
+            Self::NotRefused => {
+                "It answers a request whose tolerance or time makes no sense. \
+                                 Return an error there; the property refusal says for which \
+                                 requests"
+            }
             Self::ConstantInSeconds => {
-                "A constant in seconds is in it: a smallest, largest or first step"
+                "It contains a constant in seconds. Look for a smallest, largest or first step"
             }
             Self::NotMirrored => {
-                "The mirrored run is not the mirror of the run, as where the error of a step has a \
-                 sign and its size is meant"
+                "The run from (−θ, −ω) is not the mirror image of the run from (θ, ω). Look at \
+                 whether the absolute value of the error estimate is compared with the tolerance"
             }
         };
         f.write_str(plain)
@@ -234,8 +263,8 @@ fn other_power(more: f64) -> &'static str {
              than the lower order of a pair"
         }
         -1.3..-0.7 => {
-            "one less than is claimed, as where the error of a step is divided by its length, or \
-             not multiplied by it"
+            "one less than is claimed, as it is where the error of a step is divided by its \
+             length, or not multiplied by it"
         }
         _ => "look at the weights of the estimate, and at the slope with which a step begins",
     }
@@ -244,41 +273,42 @@ fn other_power(more: f64) -> &'static str {
 fn driven(f: &mut fmt::Formatter<'_>, cause: DrivenCause) -> fmt::Result {
     f.write_str(match cause {
         DrivenCause::Wrong => {
-            "Under a drive it is wrong: the force, or the times at which the stages ask for it"
+            "With a drive it is wrong. Look at the force, and at the times at which the stages \
+             evaluate it"
         }
         DrivenCause::Elsewhere => {
-            "Under a drive it is right from t₀ = 0 on and wrong from another: look at whether the \
-             force is asked for at the time or at that since the start"
+            "With a drive a run from t₀ = 0 is right, and one from another t₀ is wrong. Look at \
+             whether the force is evaluated at t, or wrongly at t − t₀"
         }
         DrivenCause::Backwards => {
-            "Under a drive it is right forwards and wrong backwards: look at the times at which \
-             the stages ask for the force"
+            "With a drive it is right forwards and wrong backwards. Look at the times at which \
+             the stages evaluate the force"
         }
         DrivenCause::BetweenSteps => {
-            "Under a drive the ends of runs are right and other outputs wrong: look at the times \
-             at which the force is asked for where outputs come from"
+            "With a drive the ends of runs are right, and the outputs between steps are wrong. \
+             Look at the times at which the dense output evaluates the force"
         }
-        DrivenCause::LastOutput => "Under a drive the last of several outputs is wrong",
+        DrivenCause::LastOutput => "With a drive the last of several outputs is wrong",
         DrivenCause::BackwardsAnyway(error) => {
             return write!(
                 f,
-                "Backwards it is off by {} rad, under a drive and without",
+                "Runs backwards in time are off by {} rad, with a drive and without",
                 scientific(error)
             );
         }
         DrivenCause::ElsewhereAnyway(error) => {
             return write!(
                 f,
-                "From another t₀ on it is off by {} rad, under a drive and without",
+                "A run from another t₀ than 0 is off by {} rad, with a drive and without",
                 scientific(error)
             );
         }
         DrivenCause::Work { tolerance, times: ratio } => {
             return write!(
                 f,
-                "Under a drive it is right, but at a tolerance of {} with {} times the evaluations \
-                 that it needs without: a stage asks for the force at another time than its own, \
-                 which the estimate takes for an error of the step",
+                "With a drive it is right, but at a tolerance of {} it needs {} times the \
+                 evaluations of a run without one. A stage evaluates the force at a wrong time, \
+                 and the estimate takes that for an error of the step. Look at the nodes cᵢ",
                 about(tolerance),
                 times(ratio)
             );

@@ -49,7 +49,7 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
         }
         OfSolver::LeastInSingle => format!("off by {} rad at best", scientific(first)),
         OfSolver::Impossible { answered, .. } if answered.is_empty() => {
-            "the impossible has an error, or a right answer".to_string()
+            "requests that make no sense end in an error, or in a right answer".to_string()
         }
         OfSolver::Impossible { answered, .. } => {
             let each = answered.iter().map(|(name, came)| match came {
@@ -95,8 +95,8 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
                     scientific(*without),
                     scientific(first)
                 ),
-                Ends::AsGood if *more > 1.5 => "it stops at them".to_string(),
-                Ends::AsGood => "an end as good, but not the same".to_string(),
+                Ends::AsGood if *more > 1.5 => "the solver stops at each output".to_string(),
+                Ends::AsGood => "another end, which is as accurate".to_string(),
             };
             match *more > 1.0 {
                 true => format!("{what}, with {} times the evaluations", times(*more)),
@@ -136,7 +136,10 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
         OfSolver::Passages { wrong, refused } => {
             let told = |(run, what): &(&str, WrongPassage)| format!("{run}: {what}");
             let wrong = match &wrong[..] {
-                [] => format!("each is found, and off by {} of what it may be", about(first)),
+                [] => format!(
+                    "every crossing is found, off by {} times what is allowed at most",
+                    about(first)
+                ),
                 [one] => told(one),
                 [one, .., last] => format!("{}; {}", told(one), told(last)),
             };
@@ -147,7 +150,7 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
         OfSolver::Driven { run, tolerance, refused } => {
             let refused = refused.iter().map(|(run, why)| format!("; no answer{run}: {why}"));
             format!(
-                "under a force A cos Ωt off by {} rad{run}, at a tolerance of {}{}",
+                "with a drive A cos Ωt off by {} rad{run}, at a tolerance of {}{}",
                 scientific(first),
                 about(*tolerance),
                 refused.collect::<String>()
@@ -155,8 +158,8 @@ pub fn measured(finding: &Finding, what: &OfSolver) -> String {
         }
         OfSolver::DrivenWork { tolerance } => {
             format!(
-                "under a force A cos Ωt right, but with {} times the evaluations of a free run, at \
-                 a tolerance of {}",
+                "with a drive A cos Ωt right, but with {} times the evaluations of a run without \
+                 one, at a tolerance of {}",
                 times(first),
                 about(*tolerance)
             )
@@ -187,21 +190,22 @@ pub fn why(finding: &Finding, what: &OfSolver) -> String {
     let first = finding.values.first().copied().unwrap_or(f64::NAN);
     let bound = finding.bound.unwrap_or(f64::NAN);
     match what {
-        OfSolver::Idle { .. } => "a smaller tolerance makes other steps".to_string(),
+        OfSolver::Idle { .. } => "a smaller tolerance has to change the steps".to_string(),
         OfSolver::Falls { least, most: [rise, each], an_evaluation, ours, .. } => format!(
-            "it has to fall at least as tol^{least:.2}, never to rise more than {rise:.0} times, \
-             and to be {each:.0} tolerances at most for each evaluation ({}); Dormand–Prince's is \
-             {} times the tolerance",
+            "the error has to fall at least as tol^{least:.2}, to rise nowhere more than \
+             {rise:.0} times, and to be at most {each:.0} times the tolerance times the number of \
+             evaluations (measured: {}); that of Dormand–Prince is {} times the tolerance",
             an_evaluation.map_or("–".to_string(), times),
             times(*ours)
         ),
         OfSolver::TooFew { .. } => "a line needs four points".to_string(),
         OfSolver::Power { claimed: Some((claimed, [below, above])), .. } => format!(
-            "claimed {claimed}; {below:.1} less and {above:.1} more may come of steps that are not \
-             short"
+            "{claimed} is claimed; the measured power may be {below:.1} less or {above:.1} more, \
+             because the steps are not short"
         ),
         OfSolver::Power { of: PowerOf::Estimate, claimed: None, .. } => {
-            "of first power is only an estimate with a wrong weight, or that of a low order".into()
+            "an estimate of first power has a wrong weight, or belongs to a method of low order"
+                .into()
         }
         OfSolver::Power { .. } | OfSolver::Effort => String::new(),
         OfSolver::Impossible { wrong, .. } => {
@@ -211,16 +215,17 @@ pub fn why(finding: &Finding, what: &OfSolver) -> String {
             format!("in single precision rounding may make {} of it", about(bound))
         }
         OfSolver::Least { .. } | OfSolver::Between { single: true, .. } => {
-            "a double has sixteen digits, and a single seven".to_string()
+            "a number of double precision has sixteen digits, and one of single precision seven"
+                .to_string()
         }
         OfSolver::Between { claimed: Some(degree), .. } => format!(
-            "from polynomials of degree {degree} they fall with the power {} of the step, which is \
-             as that of 1/evaluations",
+            "the error of outputs from polynomials of degree {degree} falls with the power {} of \
+             the step size, and so with that power of 1/evaluations",
             degree + 1
         ),
         OfSolver::Between { .. } => format!(
-            "{} times worse than its steps, and than its outputs at looser tolerances are for \
-             theirs; up to {bound:.0} may be chance",
+            "outputs may be as far off as the steps, or as many tolerances as at looser \
+             tolerances; these are {} times as far off, and up to {bound:.0} times may be chance",
             times(first)
         ),
         OfSolver::Free { without, .. } => format!(
@@ -243,18 +248,19 @@ pub fn why(finding: &Finding, what: &OfSolver) -> String {
             scientific(*usual),
             about(bound)
         ),
-        OfSolver::Again { .. } => "each request starts afresh".to_string(),
+        OfSolver::Again { .. } => "each request has to start afresh".to_string(),
         OfSolver::Passages { .. } => {
-            "each passage of the exact motion is to be found once, off by no more than ten times \
-             the error of a run at its end, where the solver's own angle is 0"
+            "each zero crossing of the exact motion has to be found once, at a time when the \
+             solver's own angle is 0, to within ten times the error of a run at its end"
                 .to_string()
         }
         OfSolver::Driven { .. } => {
-            format!("thirty times what a free run errs there: {}", about(bound))
+            format!(
+                "{} rad is allowed, thirty times the error of a run without a drive",
+                about(bound)
+            )
         }
-        OfSolver::DrivenWork { .. } => {
-            "such a force makes steps shorter by a fifth at most".to_string()
-        }
+        OfSolver::DrivenWork { .. } => "a drive makes steps shorter by a fifth at most".to_string(),
     }
 }
 

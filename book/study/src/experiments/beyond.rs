@@ -108,6 +108,31 @@ pub fn poincare(points: usize) -> Vec<Phase> {
     states.skip(100).take(points).collect()
 }
 
+/// The drives of [`doublings`].
+pub const DRIVES: [f64; 2] = [1.06, 1.09];
+
+/// The drive γ and the angle (rad) of the pendulum of [`Driven::taylor`], seen `seen` times once a
+/// period of the drive, at `drives` strengths from the least of [`DRIVES`] to the largest. Each run
+/// begins where the last ended, and settles for 150 periods.
+pub fn doublings(drives: u32, seen: usize) -> Vec<(f64, f64)> {
+    let mut z = Phase::at_rest(-PI / 2.0);
+    let [least, largest] = DRIVES;
+    let strengths =
+        (0..drives).map(|k| least + (largest - least) * f64::from(k) / f64::from(drives - 1));
+    let mut dots = Vec::new();
+    for strength in strengths {
+        let driven = Driven::taylor(strength).expect("a drive");
+        let strobe = self::seen(&driven, COARSE);
+        for n in 0..150 + seen {
+            z = wrapped(strobe.map(z));
+            if n >= 150 {
+                dots.push((strength, z.theta));
+            }
+        }
+    }
+    dots
+}
+
 // -------------------------------------------------------------------------------------------------
 // The shaken pendulum
 // -------------------------------------------------------------------------------------------------

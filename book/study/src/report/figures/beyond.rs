@@ -54,6 +54,18 @@ pub(super) fn poincare(_: &Study, figure: Figure) -> Figure {
     figure.panel(chart)
 }
 
+/// The angles at which the driven pendulum is seen once per period, for each drive.
+pub(super) fn doublings(_: &Study, figure: Figure) -> Figure {
+    let [least, largest] = beyond::DRIVES;
+    let chart = Chart::new(
+        Axis::linear("strength of the drive, γ").range(least, largest),
+        Axis::linear("θ once per period (rad)").range(-0.7, 0.0),
+    )
+    .height(300.0)
+    .series("", Style::numbered(1).dots(), beyond::doublings(241, 48));
+    figure.panel(chart)
+}
+
 /// How quickly two double pendulums part, released high and low.
 pub(super) fn separation(_: &Study, figure: Figure) -> Figure {
     let double = beyond::equals();
