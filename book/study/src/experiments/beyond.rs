@@ -108,13 +108,13 @@ pub fn poincare(points: usize) -> Vec<Phase> {
     states.skip(100).take(points).collect()
 }
 
-/// The drives of [`doublings`].
+/// The drives of [`road_to_chaos`].
 pub const DRIVES: [f64; 2] = [1.06, 1.09];
 
 /// The drive γ and the angle (rad) of the pendulum of [`Driven::taylor`], seen `seen` times once a
 /// period of the drive, at `drives` strengths from the least of [`DRIVES`] to the largest. Each run
 /// begins where the last ended, and settles for 150 periods.
-pub fn doublings(drives: u32, seen: usize) -> Vec<(f64, f64)> {
+pub fn road_to_chaos(drives: u32, seen: usize) -> Vec<(f64, f64)> {
     let mut z = Phase::at_rest(-PI / 2.0);
     let [least, largest] = DRIVES;
     let strengths =

@@ -55,14 +55,14 @@ pub(super) fn poincare(_: &Study, figure: Figure) -> Figure {
 }
 
 /// The angles at which the driven pendulum is seen once per period, for each drive.
-pub(super) fn doublings(_: &Study, figure: Figure) -> Figure {
+pub(super) fn road_to_chaos(_: &Study, figure: Figure) -> Figure {
     let [least, largest] = beyond::DRIVES;
     let chart = Chart::new(
         Axis::linear("strength of the drive, γ").range(least, largest),
         Axis::linear("θ once per period (rad)").range(-0.7, 0.0),
     )
     .height(300.0)
-    .series("", Style::numbered(1).dots(), beyond::doublings(241, 48));
+    .series("", Style::numbered(1).dots(), beyond::road_to_chaos(241, 48));
     figure.panel(chart)
 }
 

@@ -136,7 +136,7 @@ const DRAWINGS: &[Drawing] = &[
     Drawing { name: "solver_again", draw: solvers::again },
     Drawing { name: "solver_back", draw: solvers::back },
     Drawing { name: "solver_clock", draw: solvers::clock },
-    Drawing { name: "doublings", draw: beyond::doublings },
+    Drawing { name: "road_to_chaos", draw: beyond::road_to_chaos },
     Drawing { name: "poincare", draw: beyond::poincare },
     Drawing { name: "separation", draw: beyond::separation },
     Drawing { name: "kapitza", draw: beyond::kapitza },
