@@ -44,10 +44,10 @@ fn the_report_ends_as_the_readme_says() {
     let report = judge(&verlet, Claims::order(2).symplectic().symmetric()).to_string();
     let mut last = report.trim_end().lines().rev();
     let (verdict, name) = (last.next().expect("a verdict"), last.next().expect("a name"));
-    let (name, how_nearly) = name.split_once(", ").expect("a name and how nearly it is that");
-    assert!(how_nearly.starts_with("to "), "{report}");
+    let (name, how_nearly) = name.split_once("): ").expect("a name and how nearly it is that");
+    assert!(how_nearly.starts_with("eight steps agree to "), "{report}");
     let readme = read("README.md").split_whitespace().collect::<Vec<_>>().join(" ");
-    let says = format!("`{name}`, and ends with `{verdict}`");
+    let says = format!("`{name})`, and ends with `{verdict}`");
     assert!(readme.contains(&says), "the README does not say {says}");
 }
 

@@ -235,12 +235,12 @@ fn while_time_is_less(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<Sta
 )]
 #[case::one_bottom(
     filtered_about_one_bottom,
-    "From a whole turn higher a step is another one, by what falls with h to \
+    "A step from a whole turn higher is not the same step. The difference falls with h to \
      the power 3"
 )]
 #[case::one_bottom_of_a_known_method(
     deuflhard_about_one_bottom,
-    "It is a known mistake in deuflhard, deuflhard-one-bottom"
+    "This is the known mistake deuflhard-one-bottom of deuflhard"
 )]
 #[case::ten_decimals(
     |g: f64, a, b, h: f64, n| forest_ruth_to(10, g, a, b, h, n),
@@ -258,7 +258,7 @@ fn while_time_is_less(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<Sta
     "Its turns are not 2π long, but off by 1.5 × 10⁻⁵ rad",
 )]
 #[case::the_size_of_h(
-    |g: f64, a, b, h: f64, n| verlet(g, a, b, h.abs(), n), "It takes the size of h",
+    |g: f64, a, b, h: f64, n| verlet(g, a, b, h.abs(), n), "It takes the absolute value of h",
 )]
 #[case::no_slopes_before_2(
     |g: f64, a, b, h: f64, n| adams(&AB2, Begin::Zero, g, a, b, h, n),
@@ -279,55 +279,59 @@ fn while_time_is_less(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<Sta
 )]
 #[case::the_old_velocity(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| (s[k].0, s[k - 1].1))(g, a, b, h, n),
-    "The adapter or the output: with each angle it returns the velocity of the step before",
+    "The adapter or the output is at fault, because with each angle it returns the velocity of the \
+     step before",
 )]
 #[case::the_old_angle(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| (s[k - 1].0, s[k].1))(g, a, b, h, n),
-    "The adapter or the output: with each velocity it returns the angle of the step before",
+    "The adapter or the output is at fault, because with each velocity it returns the angle of the \
+     step before",
 )]
 #[case::means(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| {
         (0.5 * (s[k].0 + s[k - 1].0), 0.5 * (s[k].1 + s[k - 1].1))
     })(g, a, b, h, n),
-    "The adapter or the output: it returns the mean of each state and the one before",
+    "The adapter or the output is at fault, because it returns the mean of each state and the one \
+     before",
 )]
 #[case::two_steps_late(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| s[k.saturating_sub(2)])(g, a, b, h, n),
-    "The adapter or the output: it returns each state two steps late",
+    "The adapter or the output is at fault, because it returns each state two steps late",
 )]
 #[case::differences(
     |g: f64, a, b, h: f64, n| handed_out(rk4, |s, k| {
         (s[k].0, (s[k].0 - s[k - 1].0) / h)
     })(g, a, b, h, n),
-    "The adapter or the output: for a velocity it returns the difference of the last two angles",
+    "The adapter or the output is at fault, because for a velocity it returns the difference of \
+     the last two angles",
 )]
 #[case::the_place(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| (s[k].0.sin(), s[k].1))(g, a, b, h, n),
-    "The adapter or the output: it returns sin θ for θ",
+    "The adapter or the output is at fault, because it returns sin θ for θ",
 )]
 #[case::velocity_times_the_step(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| (s[k].0, s[k].1 * h))(g, a, b, h, n),
-    "The adapter or the output: it returns ω h for ω",
+    "The adapter or the output is at fault, because it returns ω h for ω",
 )]
 #[case::turns(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| {
         (s[k].0 / std::f64::consts::TAU, s[k].1 / std::f64::consts::TAU)
     })(g, a, b, h, n),
-    "The adapter or the output: at g/L = 12.2625 1/s² it returns 0.159155 times the angle and \
-     the velocity: turns",
+    "The adapter or the output is at fault, and not the method, because at g/L = 12.2625 1/s² it \
+     returns 0.159155 times the angle and the velocity, which are turns",
 )]
 #[case::turns_a_minute(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| {
         (s[k].0, s[k].1 * 60.0 / std::f64::consts::TAU)
     })(g, a, b, h, n),
-    "The adapter or the output: at g/L = 12.2625 1/s² it returns 9.5493 times the velocity: \
-     velocities in turns per minute",
+    "The adapter or the output is at fault, and not the method, because at g/L = 12.2625 1/s² it \
+     returns 9.5493 times the velocity, which are velocities in turns per minute",
 )]
 #[case::half_precision(
     |g: f64, a, b, h: f64, n| handed_out(verlet, |s, k| {
         (half_precision(s[k].0), half_precision(s[k].1))
     })(g, a, b, h, n),
-    "A step rounds by 1 × 10⁻⁵: half precision",
+    "A step rounds by 1 × 10⁻⁵, because its numbers have 11 binary digits: half precision",
 )]
 #[case::g_of_two_decimals(
     |g: f64, a, b, h: f64, n| verlet(decimals(2, g), a, b, h, n),
@@ -380,7 +384,7 @@ fn while_time_is_less(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<Sta
 )]
 #[case::units_alone(
     |g: f64, a, b, h: f64, n| verlet(g * (1.0 + 1e-3 * h * h), a, b, h, n),
-    "A constant in seconds is in it",
+    "It contains a constant in seconds",
 )]
 fn a_cause_is_said_where_it_is_shown(#[case] program: Program, #[case] begins: &str) {
     let claims = match begins {

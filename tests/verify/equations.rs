@@ -845,7 +845,7 @@ fn ten_seconds(g: f64, theta: f64, omega: f64, _: f64, n: u64) -> Vec<State> {
 #[case::damped_with_its_frequency(
     damped_with_its_frequency,
     Kind::Damping,
-    "It solves a damped pendulum: ω is braked at 0.1 √(g/L)"
+    "It solves another pendulum: ω is damped at a rate of 0.1 √(g/L)"
 )]
 #[case::pushed_with_its_gravity(
     pushed_with_its_gravity,

@@ -222,13 +222,13 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_truncated_coefficient(
     a_truncated_coefficient, told,
     Claims::order(4), &["order"],
-    "It is a known mistake in rk4, rk4-weights-to-four-digits: .1667 and .3333 for 1/6 and 1/3 \
+    "This is the known mistake rk4-weights-to-four-digits of rk4: .1667 and .3333 for 1/6 and 1/3 \
      (order 2, small at first). This explains the failures in order and stage-times.|A \
      coefficient has too few digits, about 4: Σ bᵢ aᵢⱼ cⱼ is 0.166675, not 1/6.",
 )]
 #[case::g_over_l_of_another_place(
     verlet, |g| g * 9.8 / 9.81, leapfrog(), &["order"],
-    "It is Störmer–Verlet, but its kicks add up to 0.99898 times the g/L that is asked for",
+    "It is Störmer–Verlet, but the force acts as if g/L were 0.99898 times as large",
 )]
 #[case::g_over_l_that_does_not_listen(
     verlet, |_| 9.8, leapfrog(), &["order", "units"],
@@ -237,43 +237,45 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_missing_first_half_kick(
     a_missing_first_half_kick, told,
     leapfrog(), &["order", "reversal"],
-    "It is the other symplectic Euler, which is Störmer–Verlet seen half a kick ahead",
+    "It is the other symplectic Euler, which is Störmer–Verlet with states that lie half a kick \
+     ahead",
 )]
 #[case::velocities_at_half_steps(
     velocities_at_half_steps, told,
     leapfrog(), &["order", "reversal", "clock"],
-    "It is a known mistake in stormer-verlet, stormer-verlet-velocity-at-the-half-step: ",
+    "This is the known mistake stormer-verlet-velocity-at-the-half-step of stormer-verlet: ",
 )]
 #[case::angles_at_half_steps(
     angles_at_half_steps, told,
     leapfrog(), &["order", "reversal"],
-    "It is Störmer–Verlet, but the states that it reports are half a drift ahead of its own.",
+    "It is Störmer–Verlet, but the states that it reports lie half a drift ahead, compared with \
+     those it computes.",
 )]
 #[case::the_old_force_in_the_second_kick(
     the_old_force_in_the_second_kick, told,
     leapfrog(), &["order", "area", "reversal"],
-    "It is a known mistake in stormer-verlet, stormer-verlet-old-force-twice: the second half kick \
-     uses the force before the drift; also: symplectic Euler with the mean of both velocities \
+    "This is the known mistake stormer-verlet-old-force-twice of stormer-verlet: the second half \
+     kick uses the force before the drift; also: symplectic Euler with the mean of both velocities \
      (order 1, energy grows; seen in oxiphysics-gpu 0.1.2",
 )]
 // Σ b a c² = 1/3 · 1/2 · 1/4 + 1/6 · 1 · 1/4, with the fourth stage at z + h k₂.
 #[case::the_fourth_stage_from_the_second_slope(
     the_fourth_stage_from_the_second_slope, told,
     Claims::order(4), &["order"],
-    "It is a known mistake in rk4, rk4-fourth-stage-from-second-slope: k4 is built on k2, not on \
-     k3 (order 3). This explains the failure in order.|Its order is 3, not 4: the error of a \
+    "This is the known mistake rk4-fourth-stage-from-second-slope of rk4: k4 is built on k2, not \
+     on k3 (order 3). This explains the failure in order.|Its order is 3, not 4: the error of a \
      step begins with h⁴, where Σ bᵢ aᵢⱼ aⱼₖ cₖ is 0, not 1/24",
 )]
 #[case::the_drive_at_the_steps_start(
     the_drive_at_the_steps_start, told,
     Claims::order(4), &["stage-times"],
-    "It is a known mistake in rk4, rk4-times-at-the-start: |Only with a drive is the order 1",
+    "This is the known mistake rk4-times-at-the-start of rk4: |Only with a drive is the order 1",
 )]
 #[case::a_kick_in_the_fifth_digit(
     a_kick_in_the_fifth_digit, told,
     leapfrog(), &["order", "reversal"],
-    "It solves another equation: its kicks add up to 1.00001 times the g/L that is asked for, \
-     right to 5 digits",
+    "It solves another equation: the force acts as if g/L were 1.00001 times as large; a \
+     coefficient, or g or L, is right to only 5 digits",
 )]
 #[case::a_kick_missing_in_each_step(
     a_kick_missing_in_each_step, told,
@@ -282,7 +284,7 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 )]
 #[case::a_step_of_another_length(
     a_step_of_another_length, told, Claims::order(4), &["order"],
-    "It is RK4, but its step is 1.001 h, right to 3 digits",
+    "It is RK4, but its step is 1.001 h; a coefficient, or g or L, is right to only 3 digits",
 )]
 #[case::backwards(
     backwards, told, Claims::order(4), &["order"],
@@ -291,13 +293,13 @@ fn single_precision(f: Force<'_>, z: Phase, h: f64, n: u64) -> Vec<Phase> {
 #[case::a_commutator_left(
     a_commutator_left, told,
     leapfrog(), &["order", "reversal"],
-    "It is a known mistake in stormer-verlet, stormer-verlet-thirds: kicks of one third and two \
+    "This is the known mistake stormer-verlet-thirds of stormer-verlet: kicks of one third and two \
      thirds (order 1; seen in this book's zoo).",
 )]
 #[case::a_splitting_of_few_digits(
     a_splitting_of_few_digits, told,
     Claims::order(4).symplectic().symmetric(), &["stage-times"],
-    "It is a known mistake in forest-ruth, forest-ruth-five-digits: |A coefficient has too few \
+    "This is the known mistake forest-ruth-five-digits of forest-ruth: |A coefficient has too few \
      digits, about 4: the commutators [T, [T, V]] and [V, [T, V]] of drifts and kicks do not \
      cancel",
 )]

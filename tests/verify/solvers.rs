@@ -177,7 +177,7 @@ fn a_record_gives_its_answers_in_their_order() {
 
 /// torchdiffeq's polynomial has degree 4, whatever the order of the method.
 const THE_END: &str =
-    "The end of a run is interpolated, like all outputs: they come from a quartic";
+    "The end of a run is interpolated, like all outputs. They come from a quartic";
 
 /// Published solvers whose outputs are worse than their steps, as the judge found them.
 ///

@@ -231,13 +231,13 @@ impl fmt::Display for Resemblance {
             But::Nothing => Ok(()),
             But::Seen(seen) if seen.drifts == 0.0 => write!(
                 f,
-                "with states that lie {seen}: the velocities that it is given and returns belong \
+                " with states that lie {seen}: the velocities that it is given and returns belong \
                  to other times than the angles"
             ),
             But::Seen(seen) => {
                 write!(
                     f,
-                    "with states that lie {seen}: its angles belong to other times than its \
+                    " with states that lie {seen}: its angles belong to other times than its \
                            velocities"
                 )
             }
@@ -275,11 +275,7 @@ impl fmt::Display for Scaled {
             }
             Self::Gravity(times) => {
                 let (times, right) = (near_one(times), right_to(times));
-                write!(
-                    f,
-                    "the kicks of a step are together {times} times as large as g/L makes \
-                           them{right}"
-                )?;
+                write!(f, "the force acts as if g/L were {times} times as large{right}")?;
                 if times == "1.5" { f.write_str("; a uniform rod has 1.5 g/L") } else { Ok(()) }
             }
             Self::Fixed(g_over_l) => {

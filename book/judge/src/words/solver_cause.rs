@@ -106,11 +106,13 @@ impl fmt::Display for SolverCause {
             }
             Self::Outputs { ends_too, degree, power: falls, .. } => {
                 f.write_str(match ends_too {
-                    true => "The end of a run is interpolated, as every output is",
+                    true => "The end of a run is interpolated, like all outputs",
                     false => "Outputs between steps are less accurate than the steps",
                 })?;
                 if let Some(degree) = degree {
-                    write!(f, ", because they come from {}", polynomial(*degree))?;
+                    let comes =
+                        if *ends_too { ". They come from" } else { ", because they come from" };
+                    write!(f, "{comes} {}", polynomial(*degree))?;
                 }
                 return match falls {
                     Some(falls) => {

@@ -42,10 +42,10 @@ pub const SHAPES: [Shape; 16] = [
         "a series that ends with θ⁷ stands in place of the sine",
         |t| t - t * t * t / 6.0 + libm::pow(t, 5.0) / 120.0 - libm::pow(t, 7.0) / 5040.0,
     ),
-    shape("sin(πθ/180)", "the force is the sine of θ taken in degrees", |t| {
+    shape("sin(πθ/180)", "the sine in the force takes θ for degrees", |t| {
         libm::sin(t * PI / 180.0)
     }),
-    shape("cos(πθ/180)", "the force is the cosine of θ taken in degrees", |t| {
+    shape("cos(πθ/180)", "the cosine in the force takes θ for degrees", |t| {
         libm::cos(t * PI / 180.0)
     }),
     shape("sin(180θ/π)", "the force is the sine of θ converted into degrees", |t| {

@@ -253,9 +253,13 @@ const LEAPFROG: &str = "order=2 symplectic symmetric";
 #[rstest]
 #[case::verlet("verlet", "order=2 symplectic symmetric name=stormer-verlet", "")]
 #[case::rk4("rk4", "order=4 name=rk4", "")]
-#[case::gravity("gravity", LEAPFROG, "It is Störmer–Verlet, but its kicks add up to 0.998")]
-#[case::wrong_stage_times("wrong-stage-times", "order=4", "It is a known mistake in rk4")]
-#[case::stale_force("stale-force", "", "It is a known mistake in stormer-verlet")]
+#[case::gravity(
+    "gravity",
+    LEAPFROG,
+    "It is Störmer–Verlet, but the force acts as if g/L were 0.998"
+)]
+#[case::wrong_stage_times("wrong-stage-times", "order=4", "This is the known mistake rk4-")]
+#[case::stale_force("stale-force", "", "This is the known mistake stormer-verlet-")]
 #[case::picky("picky", LEAPFROG, "")]
 fn variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] look_at: &str) {
     if !there_is("python3") {

@@ -31,7 +31,7 @@ fn a_program_that_knows_both_words_is_judged_for_both() {
         report["properties"].as_array().unwrap().iter().map(|property| &property["name"]).collect();
     assert_eq!(names.iter().map(|name| name.as_str()).collect::<BTreeSet<_>>().len(), names.len());
     let what_it_is = report["what_it_is"].as_str().unwrap();
-    assert!(what_it_is.starts_with("DOP853 (dop853), "), "{what_it_is}");
+    assert!(what_it_is.starts_with("DOP853 (dop853): "), "{what_it_is}");
     assert!(what_it_is.contains("; with a tolerance, it is a solver of order "), "{what_it_is}");
 
     let (status, report) = judged(&["--claims", "order=8 estimate=3"], &SERVED);
