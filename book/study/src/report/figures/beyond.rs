@@ -59,7 +59,7 @@ pub(super) fn road_to_chaos(_: &Study, figure: Figure) -> Figure {
     let [least, largest] = beyond::DRIVES;
     let chart = Chart::new(
         Axis::linear("strength of the drive, γ").range(least, largest),
-        Axis::linear("θ once per period (rad)").range(-0.7, 0.0),
+        Axis::linear("θ once per period (rad)").range(-0.8, 0.0),
     )
     .height(300.0)
     .series("", Style::numbered(1).dots(), beyond::road_to_chaos(241, 48));
