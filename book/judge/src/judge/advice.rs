@@ -291,7 +291,8 @@ fn of_the_step(
     let other_answers = not_repeatable(report);
     if !cut_off && other_answers.is_none() {
         let binary = told(causes::binary_digits(probe))?.flatten();
-        causes.extend(precision(report, binary));
+        let few = binary.is_some() || told(probe.rounds_everywhere())?.unwrap_or(false);
+        causes.extend(precision(report, binary).filter(|_| few));
     }
     causes.extend(other_answers);
     causes.extend(not_undone(failed, report).filter(|_| !has_one && !is_shown));

@@ -210,16 +210,10 @@ impl<'s> Probe<'s> {
     /// more coarsely than the starts are apart would show none: so the ends must be apart as the
     /// derivative says, which a hundredth to either side tells to a thousandth.
     fn measure_rounding(&self) -> Measured<f64> {
-        const APART: f64 = 1e-6;
-        let h = step(0.1);
         let mut largest = 0.0_f64;
-        for (theta, omega) in [(0.9, 0.3), (-0.7, 2.1)] {
-            let end = |shift: f64| -> Measured<[f64; 2]> {
-                let z = self.end(Request::run(Phase { theta: theta + shift, omega }, h, 1))?;
-                Ok([z.theta, z.omega / frequency()])
-            };
-            let ends = (0..16).map(|j| end(f64::from(j) * APART)).collect::<Measured<Vec<_>>>()?;
-            let (above, below) = (end(0.01)?, end(-0.01)?);
+        for start in ROUNDED_FROM {
+            let ends = self.ends_along(start)?;
+            let (above, below) = (self.end_beside(start, 0.01)?, self.end_beside(start, -0.01)?);
             for k in 0..2 {
                 let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
                 let expected = 15.0 * APART * (above[k] - below[k]) / 0.02;
@@ -232,13 +226,53 @@ impl<'s> Probe<'s> {
         // States at the end of the range have differences beyond it.
         if largest.is_finite() { Ok(largest) } else { Err(Trouble::NotFinite) }
     }
+
+    /// Whether a step rounds along all sixteen starts, as it does if numbers have few digits: the
+    /// median of thirteen third differences is then about a quarter of the largest. A force with a
+    /// corner, such as that of a table, makes at most four of them large, and the median is zero.
+    pub fn rounds_everywhere(&self) -> Measured<bool> {
+        for start in ROUNDED_FROM {
+            let ends = self.ends_along(start)?;
+            for k in 0..2 {
+                let along: Vec<f64> = ends.iter().map(|end| end[k]).collect();
+                let mut thirds: Vec<f64> = third_differences(&along).collect();
+                thirds.sort_by(f64::total_cmp);
+                let (median, largest) = (thirds[thirds.len() / 2], thirds[thirds.len() - 1]);
+                if largest > 0.1 * self.rounding && median > 0.02 * largest {
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// Where a step from beside `start` ends: the angle, and the velocity over ω₀.
+    fn end_beside(&self, start: Phase, by: f64) -> Measured<[f64; 2]> {
+        let start = Phase { theta: start.theta + by, ..start };
+        let z = self.end(Request::run(start, step(0.1), 1))?;
+        Ok([z.theta, z.omega / frequency()])
+    }
+
+    /// The same along sixteen starts.
+    fn ends_along(&self, start: Phase) -> Measured<Vec<[f64; 2]>> {
+        (0..16).map(|j| self.end_beside(start, f64::from(j) * APART)).collect()
+    }
 }
+
+/// How far apart the starts are from which the rounding of a step is measured (rad), and the first
+/// of each sixteen.
+const APART: f64 = 1e-6;
+const ROUNDED_FROM: [Phase; 2] =
+    [Phase { theta: 0.9, omega: 0.3 }, Phase { theta: -0.7, omega: 2.1 }];
 
 /// What is no smooth function along equally spaced starts: third differences, of which those of
 /// rounding have √20 times as much.
 fn noise(along: &[f64]) -> f64 {
-    let third = |w: &[f64]| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs();
-    along.windows(4).map(third).fold(0.0, libm::fmaximum) / libm::sqrt(20.0)
+    third_differences(along).fold(0.0, libm::fmaximum) / libm::sqrt(20.0)
+}
+
+fn third_differences(along: &[f64]) -> impl Iterator<Item = f64> {
+    along.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).abs())
 }
 
 /// Half of the last of so many significant digits, of a number of order 1.
