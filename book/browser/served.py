@@ -62,8 +62,7 @@ def test_served(chromium, served, works):
 
 
 # Bytes. The first page is what somebody sees who follows a link, perhaps on a telephone.
-# The index has fifty reports on defects, and what the cells of four maps say.
-LANDING, CHAPTER, INDEX = 200_000, 270_000, 445_000
+LANDING, CHAPTER, INDEX = 200_000, 270_000, 330_000
 # What a page with a lab, with a figure that a reader moves, or with the known answers loads
 # besides.
 LAB = 105_000

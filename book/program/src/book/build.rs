@@ -16,11 +16,13 @@ use tracing::field::Field;
 use tracing::span::{Attributes, Id, Record};
 use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
+use crate::book::frame;
 use crate::book::ledger::Ledger;
 use crate::book::page_files;
 use crate::book::preprocess::Pendula;
 use crate::book::print;
 use crate::book::progress::Progress;
+use crate::book::search;
 use crate::output::files;
 use crate::output::files::whole_folder::WholeFolder;
 
@@ -83,11 +85,15 @@ fn driven(
     book.build()?;
     let pages = book.build_dir_for("html");
     let html = book.config.html_config().unwrap_or_default();
+    search::index(root, &pages)?;
     print::shorten(&pages)?;
     page_files::join(&pages, &html.additional_js)?;
     page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
-    each_page(&pages, |page| page_files::finished(page, &site))?;
+    each_page(&pages, |page| page_files::finished(&frame::page(page)?, &site))?;
+    let script = pages.join("book.js");
+    fs::write(&script, frame::script(&files::text(&script)?)?)
+        .with_context(|| script.display().to_string())?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(&new)?.to_path_buf();
     Ok(Built { folder, pages })

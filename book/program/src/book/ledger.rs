@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use anyhow::{Result, anyhow};
-use pendula_study::claims::{Claim, Measured};
+use pendula_study::claims::{Claim, Measured, Verdict};
 use pendula_study::experiments::Study;
 use pendula_study::questions::{self, Truth};
 use pendula_study::report::snapshots::some;
@@ -36,6 +36,11 @@ pub trait Ledger {
     /// What is right in the question with this id; `None` if there is no such question.
     fn truth(&self, id: &str) -> Option<Truth> {
         questions::truth(id)
+    }
+
+    /// How many claims of the paper are wrong; `None` where nobody counts.
+    fn wrong(&self) -> Option<usize> {
+        None
     }
 
     /// What the code makes of the snapshots with these names now, and why it does not make those
@@ -105,6 +110,11 @@ impl Ledger for Paper {
             measured,
             verdict: Some(claim.judged().to_string()),
         })
+    }
+
+    fn wrong(&self) -> Option<usize> {
+        let is_wrong = |claim: &&Claim| claim.is_of_the_paper() && claim.judged() == Verdict::Wrong;
+        Some(self.claims().iter().filter(is_wrong).count())
     }
 
     fn snapshots(&self, names: BTreeSet<String>) -> Result<Made> {

@@ -10,6 +10,7 @@ use std::sync::LazyLock;
 use regex::Regex;
 
 pub mod build;
+mod frame;
 pub mod ledger;
 pub mod locate;
 mod page_files;
@@ -17,6 +18,7 @@ pub mod preprocess;
 mod print;
 pub mod progress;
 pub mod review;
+mod search;
 pub mod versions;
 
 /// A pattern that is compiled when it is first used.

@@ -33,6 +33,9 @@ const QUESTION: &str = "theme/question.js";
 /// The line after which mdBook's pages have their policy.
 const CHARSET: &str = "<meta charset=\"UTF-8\">";
 
+/// The style of formulas.
+const FORMULAS: &str = "assets/katex/katex.min.css";
+
 /// How book/theme/head.hbs names the picture of a link.
 const PICTURE: &str = "<meta property=\"og:image\" content=\"";
 
@@ -94,8 +97,8 @@ fn has_lab(page: &str) -> bool {
     page.contains("class=\"lab")
 }
 
-/// The page with the files that it needs: without the scripts that were joined, without any of the
-/// lab's files if it has no lab, and with its fonts called for; with the picture for who posts a
+/// The page with the files that it needs: without the scripts that were joined, without the style
+/// of formulas if it has none, without any of the lab's files if it has no lab, and with its fonts called for; with the picture for who posts a
 /// link, if `site` is a whole address, as that picture's has to be.
 fn linked(page: &str, site: &str) -> String {
     let with_lab = has_lab(page);
@@ -108,6 +111,9 @@ fn linked(page: &str, site: &str) -> String {
         let script = tag.starts_with("<script src=\"");
         if script && tag.contains(QUESTION) {
             return page.contains("class=\"question\"");
+        }
+        if tag.starts_with("<link ") && tag.contains(FORMULAS) {
+            return page.contains("class=\"katex");
         }
         let of_the_lab = (script || tag.starts_with("<link ")) && tag.contains(FOLDER);
         !of_the_lab || with_lab && (!script || tag.contains(LOADER))
@@ -240,6 +246,15 @@ mod tests {
         let page = linked(&PAGE.replace("<main>", "<main><div class=\"lab\">"), "./");
         assert!(page.contains("lab.css") && page.contains("src=\"../theme/lab/near.js"));
         assert!(!page.contains("src=\"../theme/lab/words.js"));
+    }
+
+    /// Catches: a page without formulas that waits for their style; one with them that lacks it.
+    #[test]
+    fn formulas_have_their_style_and_nothing_else_waits_for_it() {
+        let page = format!("<link rel=\"stylesheet\" href=\"{FORMULAS}\">\n<main>\n</main>\n");
+        assert!(!linked(&page, "./").contains(FORMULAS));
+        let page = page.replace("<main>", "<main><span class=\"katex\">");
+        assert!(linked(&page, "./").contains(FORMULAS));
     }
 
     /// Catches: a font called for that the page does not show, of which a browser complains; a font

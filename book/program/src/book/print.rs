@@ -14,8 +14,8 @@ use crate::output::files;
 /// What mdBook writes between two chapters.
 const BETWEEN: &str = "<div style=\"break-before: page; page-break-before: always;\"></div>";
 
-/// Whether a page is left out.
-fn is_left_out(page: &str) -> bool {
+/// Whether a page is left out; also by who searches ([`super::search`]).
+pub fn is_left_out(page: &str) -> bool {
     page.starts_with("tests/") || page == "solver-reports.html"
 }
 
@@ -33,7 +33,7 @@ pub fn shorten(pages: &Path) -> Result<()> {
 }
 
 /// The pages of the chapters, in order, from the page with the contents.
-fn chapters(toc: &str) -> Vec<String> {
+pub fn chapters(toc: &str) -> Vec<String> {
     let link = Regex::new(r##"<a href="([^"#]+\.html)""##).expect("the pattern is a constant");
     let mut seen = BTreeSet::new();
     let pages = link.captures_iter(toc).map(|found| found[1].to_string());

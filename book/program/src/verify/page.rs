@@ -20,7 +20,7 @@ pub fn html(judged: &Judged<'_>, date: &str) -> String {
     let lead =
         format!("Claimed: {}. {tested}, on {date}, with pendula {version}.", judged.claimed());
     let page = Page {
-        title: &title(judged),
+        title: &title(report, name),
         lead: &lead,
         body: &[verdict(report), properties(report), drawings(report, judged.claims)].concat(),
         style: include_str!("page.css"),
@@ -28,9 +28,34 @@ pub fn html(judged: &Judged<'_>, date: &str) -> String {
     page.html()
 }
 
+/// The beginning of the page for a chapter of the book: its title, what to look at, and the first
+/// `rows` of its properties; without a blank line, as HTML within Markdown has to be.
+#[cfg(feature = "book")]
+pub fn excerpt(report: &Report, rows: usize) -> String {
+    let look_at: String = report
+        .look_at()
+        .iter()
+        .map(|line| format!("<li>What to look at: {}</li>\n", set(line)))
+        .collect();
+    let shown: String = sorted(report).into_iter().take(rows).map(row).collect();
+    format!(
+        r#"<section class="judged" aria-label="A report">
+<p class="name">{}</p>
+<ul>
+{look_at}<li>What it is: {}.</li>
+</ul>
+<table class="properties">
+{HEAD}
+<tbody>
+{shown}</tbody></table>
+</section>"#,
+        escaped(&title(report, "")),
+        set(&report.what_it_is())
+    )
+}
+
 /// The verdict, with the name of what was tested where it has one.
-fn title(judged: &Judged<'_>) -> String {
-    let Judged { name, report, .. } = *judged;
+fn title(report: &Report, name: &str) -> String {
     let failing: Vec<&str> = report.failures().map(Property::name).collect();
     let verdict = match (report.verdict, &failing[..]) {
         (Verdict::Holds, _) => "Every claim holds".to_string(),
@@ -82,8 +107,13 @@ fn set(text: &str) -> String {
     html
 }
 
-/// A table of all properties, with what fails first.
-fn properties(report: &Report) -> String {
+/// What stands above the properties.
+const HEAD: &str = "\
+    <thead><tr><th scope=\"col\">Property</th><th scope=\"col\">claimed</th>\
+    <th scope=\"col\">verdict</th>\n<th scope=\"col\">measured, and how</th></tr></thead>";
+
+/// All properties, with what fails first.
+fn sorted(report: &Report) -> Vec<&Finding> {
     const ORDER: [Verdict; 3] = [Verdict::Fails, Verdict::Unclear, Verdict::NotMeasured];
     let place = |finding: &&Finding| {
         let claimed = finding.claimed.is_some();
@@ -91,15 +121,19 @@ fn properties(report: &Report) -> String {
     };
     let mut sorted: Vec<&Finding> = report.findings.iter().collect();
     sorted.sort_by_key(place);
-    let rows: String = sorted.into_iter().map(row).collect();
+    sorted
+}
+
+/// A table of them.
+fn properties(report: &Report) -> String {
+    let rows: String = sorted(report).into_iter().map(row).collect();
     format!(
         r#"
 <section aria-labelledby="properties-title">
 <h2 id="properties-title">Property by property</h2>
 <div class="table-wrapper" tabindex="0" role="region" aria-label="Property by property">
 <table class="properties">
-<thead><tr><th scope="col">Property</th><th scope="col">claimed</th><th scope="col">verdict</th>
-<th scope="col">measured, and how</th></tr></thead>
+{HEAD}
 <tbody>
 {rows}</tbody></table></div>
 </section>
@@ -422,14 +456,17 @@ mod tests {
         let report = judge(&ForwardEuler, Claims::order(2).symplectic());
         let claims = Claims::order(2).symplectic();
         let mut judged = Judged { command: "./euler", name: "", claims: &claims, report: &report };
-        assert_eq!(title(&judged), "Claims fail: order, area, stage-times");
+        assert_eq!(title(judged.report, judged.name), "Claims fail: order, area, stage-times");
         let html = html(&judged, "2026-01-02");
         assert!(html.contains("Tested: ./euler, on 2026-01-02, with pendula "), "{html}");
         (judged.command, judged.name) = ("", "euler");
-        assert_eq!(title(&judged), "Claims fail: order, area, stage-times · euler");
+        assert_eq!(
+            title(judged.report, judged.name),
+            "Claims fail: order, area, stage-times · euler"
+        );
         let report = judge(&ForwardEuler, Claims::order(1));
         judged.report = &report;
-        assert_eq!(title(&judged), "Every claim holds · euler");
+        assert_eq!(title(judged.report, judged.name), "Every claim holds · euler");
         // What fails comes first, wherever it was measured.
         let failing = html.find(r#"scope="row">stage-times"#);
         assert!(failing < html.find(r#"scope="row">equation"#), "{html}");

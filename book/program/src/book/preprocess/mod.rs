@@ -21,6 +21,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
 use crate::book::ledger::Ledger;
 use crate::book::progress::Progress;
 
+pub mod a_report;
 pub mod captions;
 pub mod chapter;
 pub mod checks;
@@ -82,7 +83,12 @@ impl Preprocessor for Pendula {
 
         let reports = context.root.join("strangers/reports");
         each(&mut book, |chapter| {
-            chapter.content = strangers::insert(&chapter.content, &reports)?;
+            chapter.content = a_report::insert(&strangers::insert(&chapter.content, &reports)?);
+            const WRONG: &str = "{{wrong-claims}}";
+            if chapter.content.contains(WRONG) {
+                let wrong = self.ledger.wrong().context("nobody counts the wrong claims")?;
+                chapter.content = chapter.content.replace(WRONG, &wrong.to_string());
+            }
             Ok(())
         })?;
 

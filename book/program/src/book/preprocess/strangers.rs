@@ -1,6 +1,6 @@
 //! What is known of other people's solvers, where a chapter asks for it: `{{solvers}}` is the table
-//! of all, `{{solvers-by-library}}` what was measured of each, and `{{reports}}` are the reports on
-//! defects. All are made from the data in `book/strangers/`.
+//! of all, `{{solvers-by-library}}` what was measured of each, `{{solvers-failing}}` the number of
+//! those that do not do what is said of them, and `{{reports}}` are the reports on defects. All are made from the data in `book/strangers/`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -8,14 +8,18 @@ use std::path::Path;
 
 use crate::output::files;
 use anyhow::{Context, Result};
-use pendula_study::solvers::{page, table};
+use pendula_study::solvers::{JUDGED, Judged, Outcome, page, table};
 
 /// The chapter's text with what it asks for; `reports` is the folder of the reports.
 pub fn insert(text: &str, reports: &Path) -> Result<String> {
     let mut text = text.to_string();
-    let makers: [(&str, &dyn Fn() -> Result<String>); 3] = [
+    let makers: [(&str, &dyn Fn() -> Result<String>); 4] = [
         ("{{solvers}}", &|| Ok(table::table().to_markdown())),
         ("{{solvers-by-library}}", &|| Ok(page::by_library())),
+        ("{{solvers-failing}}", &|| {
+            let fails = |it: &&Judged| it.outcome() == Outcome::Fails;
+            Ok(JUDGED.iter().filter(fails).count().to_string())
+        }),
         ("{{reports}}", &|| defects(reports)),
     ];
     for (directive, make) in makers {
