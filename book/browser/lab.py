@@ -20,6 +20,9 @@ class Lab(Part):
 
     def open(self, scene: str = ""):
         self.tab.anew(PAGE, "document.querySelector('.lab.whole.on')", scene)
+        # Without a scene it opens with a run to look at.
+        if not scene:
+            self.press("again")
 
     def running(self) -> bool:
         return self.texts(".run") == ["Pause"]
@@ -111,6 +114,67 @@ def test_numbers(lab, book):
     lab.go_to("#m=taylor-24,rk4&beta=0.1", "lab.scene.beta > 0")
     lab.stop()
     assert lab.texts("tbody th") == ["RK4"]
+
+
+def test_opening(tab, lab):
+    """The page opens with a run to look at, of which no drawing is empty, and a sign at each bob
+    until the reader has taken one. What runs away is not drawn at the cost of the others: their
+    errors and velocities fill the pictures, and its number stands at the edge."""
+    tab.anew(PAGE, "document.querySelector('.lab.whole.on')")
+    assert lab.run("lab.taken > 500 && !lab.running") and not lab.run(BLANK)
+    assert not lab.run("lab.grasped")
+    lab.press("run")
+    lab.tab.page.select_option(".lab.whole select.speed", "100")
+    assert lab.comes("lab.time > 300")
+    lab.stop()
+    far = """lab.drawing.energy.far(lab.pendulums.map(
+        ({energy, method}) => ({series: energy, method}))).map(({method}) => method.name)"""
+    assert lab.run(far) == ["forward-euler"]
+    runaway, reach = lab.run("[lab.pendulums[0].energy.largest, lab.drawing.phase.reach]")
+    # From what just goes round, 6.3 rad/s at the bottom, to the next 1, 2 or 5 on the axis.
+    assert runaway > 200 and reach <= 50, (runaway, reach)
+    assert lab.run("lab.drawing.phase.most") < 20
+    # A handful that differs is no runaway.
+    lab.open("#m=symplectic-euler,stormer-verlet&dt=0.05&theta0=2")
+    lab.press("step", 50)
+    assert lab.run(far) == []
+
+
+def test_teachers(lab):
+    """The stopwatch takes the pendulums' own time, gravity is found by its place, and the bars of
+    energy are drawn where there is one bob."""
+    lab.press("watch")
+    lab.press("step", 50)
+    lab.press("watch")
+    lab.press("step", 50)
+    assert lab.texts(".lapse") == ["1.50 s"]
+    lab.press("again")
+    assert lab.texts(".lapse") == [""]
+    lab.tab.page.select_option(".lab.whole select.planet", "1.62")
+    assert (lab.run("lab.scene.g"), lab.value("g")) == (1.62, 1.62)
+    # A canvas is read back once: of more a browser complains.
+    ink = "all('.stage canvas')[0].toDataURL()"
+    before = lab.run(ink)
+    lab.tab.page.check(".lab.whole input.bars")
+    assert lab.run(ink) != before
+    lab.go_to("#two-bobs", "lab.scene.system === 'double'")
+    assert not lab.run("all('input.bars')[0].checkVisibility()")
+
+
+def test_colours(lab):
+    """A colour of the paper's four methods is that method's alone, and the methods of each lesson
+    differ in theirs."""
+    looks = """[...lab.drawing.looks].map(([number, {colour}]) => [
+        lab.known.find(one => one.number === number).name, colour])"""
+    papers = {"forward-euler", "symplectic-euler", "rk4", "stormer-verlet"}
+    for lesson in lab.lessons():
+        lab.choose(lesson)
+        colours = dict(lab.run(looks))
+        own = {colours[name] for name in papers}
+        assert len(own) == 4
+        assert not [name for name in colours if name not in papers and colours[name] in own]
+        scene = lab.run("lab.scene.methods")
+        assert len({colours[name] for name in scene}) == len(scene), lesson
 
 
 # Where a drawing is, once it has been scrolled to.

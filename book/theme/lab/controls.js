@@ -1,6 +1,15 @@
 // What a reader can set in a lab: system, sliders, speed, methods.
 'use strict';
 
+// What a pendulum may hang on: the acceleration there (m/s²).
+const PLANETS = [
+    [1.62, 'Moon'],
+    [3.71, 'Mars'],
+    [8.87, 'Venus'],
+    [9.81, 'Earth'],
+    [24.79, 'Jupiter'],
+];
+
 class Controls {
     constructor(lab) {
         this.lab = lab;
@@ -17,7 +26,7 @@ class Controls {
             </div>`,
         ];
         if (!lab.whole) return;
-        this.live.unshift(markup`<div class="buttons">${this.system()}</div>`);
+        this.live.unshift(markup`<div class="buttons">${[this.system(), this.planets()]}</div>`);
         this.live.push(this.choice());
     }
 
@@ -34,6 +43,14 @@ class Controls {
         const titles = Object.entries(SYSTEMS).map(([name, { title }]) => [name, title]);
         this.kind = select({ class: 'system', onchange }, titles);
         return element('label', {}, 'System', this.kind);
+    }
+
+    planets() {
+        const onchange = () => this.lab.change({ g: Number(this.planet.value) });
+        const places = PLANETS.map(([g, name]) => [g, `${name}, ${g} m/s²`]);
+        this.planet = select({ class: 'planet', onchange }, [['', 'as set below'], ...places]);
+        this.planet.options[0].disabled = true;
+        return element('label', {}, 'Gravity', this.planet);
     }
 
     // Whether the library has a method for the system of a scene, be the step as short as may
@@ -72,10 +89,17 @@ class Controls {
 
     trails() {
         const { stage } = this.lab.drawing;
-        return checkbox('trails', 'Trails', stage.trails, on => {
+        const bars = checkbox('bars', 'Energy bars', stage.bars, on => {
+            stage.bars = on;
+            stage.draw();
+        });
+        bars.label.title = 'Potential energy, the kinetic on top; the line is their sum at first';
+        this.bars = bars.label;
+        const trails = checkbox('trails', 'Trails', stage.trails, on => {
             stage.trails = on;
             stage.draw();
-        }).label;
+        });
+        return this.lab.whole ? [bars.label, trails.label] : trails.label;
     }
 
     slider(key) {
@@ -109,18 +133,16 @@ class Controls {
     }
 
     choice() {
+        this.signs = [];
         const box = method => {
             const input = element('input', {
                 type: 'checkbox',
                 value: method.name,
                 onchange: () => this.choose(),
             });
-            const { marker, colour } = look(method);
-            const sign = drawn(
-                'svg',
-                { viewBox: '-8 -8 16 16', 'aria-hidden': 'true' },
-                drawn('path', { d: `M0,0${marker}`, style: `fill: var(${colour})` }),
-            );
+            const path = drawn('path', { d: `M0,0${look(method).marker}` });
+            this.signs.push([method, path]);
+            const sign = drawn('svg', { viewBox: '-8 -8 16 16', 'aria-hidden': 'true' }, path);
             return element('label', {}, input, sign, method.title);
         };
         const papers = this.lab.known.filter(method => PAPERS.includes(method.name)).map(box);
@@ -164,6 +186,10 @@ class Controls {
             if (scene.system === 'pendulum') any.beta = Math.min(scene.beta, 0.1);
             for (const box of this.boxes) box.parentElement.hidden = !this.suits(box.value, any);
         }
+        this.planet.value = PLANETS.some(([g]) => g === scene.g) ? scene.g : '';
+        this.bars.hidden = !hasBars(scene);
+        for (const [{ number }, path] of this.signs)
+            path.style.fill = `var(${this.lab.drawing.looks.get(number).name})`;
         for (const box of this.boxes) {
             box.checked = scene.methods.includes(box.value);
             box.disabled = !box.checked && scene.methods.length >= places;

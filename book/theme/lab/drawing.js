@@ -7,11 +7,14 @@ const NAME = 20;
 const TRAIL_SECONDS = 0.7;
 const TRAIL_POINTS = 240;
 
+// Whether a scene's energy is that of one bob on a pivot at rest.
+const hasBars = ({ system }) => system === 'pendulum' || system === 'driven';
+
 class Stage extends Sheet {
     constructor(lab) {
         super();
         this.lab = lab;
-        this.trails = false;
+        this.trails = this.bars = false;
     }
 
     // As wide as there is room for.
@@ -19,7 +22,7 @@ class Stage extends Sheet {
         const n = this.lab.pendulums.length || 1;
         this.down = Math.ceil(n / Math.max(1, Math.floor(width / 100)));
         this.across = Math.ceil(n / this.down);
-        this.cell = Math.min(width / this.across, this.lab.whole ? 230 : 190);
+        this.cell = Math.min(width / this.across, this.lab.whole || this.lab.hero ? 230 : 190);
         this.fit(width, this.down * (this.cell + NAME));
     }
 
@@ -71,13 +74,15 @@ class Stage extends Sheet {
                 ink.setLineDash([3, 3]);
                 line(ink, [[x, y], exact]);
                 ink.setLineDash([]);
-                ring(ink, ...exact, 10);
+                ring(ink, ...exact, 6 * this.size());
             }
             const bobs = this.bobs(pivot, pendulum.read(THETA), lower);
             ink.lineWidth = 2;
             ink.strokeStyle = colour;
             line(ink, [[x, y], ...bobs]);
-            for (const [bx, by] of bobs) mark(ink, path, bx, by, 1.7, colour);
+            for (const [bx, by] of bobs) mark(ink, path, bx, by, this.size(), colour);
+            if (!lab.grasped) this.sign(pivot, bobs.at(-1));
+            if (this.bars && hasBars(lab.scene)) this.energies(pendulum, pivot, colour);
             ink.fillStyle = lab.drawing.ink;
             ink.beginPath();
             ink.arc(x, y, 2.5, 0, TURN);
@@ -86,6 +91,55 @@ class Stage extends Sheet {
             const { title } = pendulum.method;
             write(ink, title, x, below, 'center', 'alphabetic', this.cell - 4);
         });
+    }
+
+    // Of a bob, so that it can be taken: its marker as a multiple of the smallest.
+    size() {
+        return Math.min(Math.max(this.cell / 75, 1.7), 2.6);
+    }
+
+    // Two heads of arrows beside a bob that nobody has taken yet: it can be moved.
+    sign({ x, y }, [bx, by]) {
+        const { ink } = this;
+        const angle = Math.atan2(bx - x, by - y),
+            away = 9 * this.size();
+        ink.save();
+        ink.translate(bx, by);
+        ink.rotate(-angle);
+        ink.strokeStyle = this.lab.drawing.ink;
+        ink.lineWidth = 2;
+        for (const side of [-1, 1])
+            line(ink, [
+                [side * away, -5],
+                [side * (away + 5), 0],
+                [side * away, 5],
+            ]);
+        ink.restore();
+    }
+
+    // The potential energy with the kinetic on top, beside the pendulum, and a line where the sum
+    // was at the start. What does not fit ends in an arrow.
+    energies(pendulum, pivot, colour) {
+        const { ink, cell, lab } = this;
+        const { g, L, theta0, omega0 } = lab.scene;
+        const parts = (theta, omega) => [g * L * (1 - Math.cos(theta)), (L * omega) ** 2 / 2];
+        const [potential, kinetic] = parts(pendulum.read(THETA), pendulum.read(OMEGA));
+        const start = parts(theta0, omega0).reduce((a, b) => a + b);
+        const height = 0.72 * cell,
+            full = 1.15 * Math.max(2 * g * L, start);
+        const left = pivot.x + cell / 2 - 16,
+            bottom = pivot.y + pivot.lift + height / 2,
+            y = energy => bottom - (Math.min(energy, full) / full) * height;
+        if (!Number.isFinite(potential + kinetic)) return;
+        ink.fillStyle = colour;
+        ink.globalAlpha = 0.45;
+        ink.fillRect(left, y(potential), 11, bottom - y(potential));
+        ink.globalAlpha = 1;
+        ink.fillRect(left, y(potential + kinetic), 11, y(potential) - y(potential + kinetic));
+        ink.fillStyle = lab.drawing.ink;
+        ink.fillRect(left - 3, y(start) - 1, 17, 2);
+        if (potential + kinetic > full)
+            write(ink, '▲', left + 5.5, bottom - height - 12, 'center');
     }
 
     // What the last bob did before, fading.
@@ -113,20 +167,35 @@ class Drawing {
         this.lab = lab;
         this.stage = new Stage(lab);
         this.phase = new Portrait(lab);
-        this.energy = new Plot(lab, pendulum => pendulum.energy);
-        this.angle = new Plot(lab, pendulum => pendulum.angle);
+        const { energyScale } = Plot;
+        this.energy = new Plot(lab, pendulum => pendulum.energy, 'J', energyScale);
+        this.angle = new Plot(lab, pendulum => pendulum.angle, 'rad', () => TURN);
+    }
+
+    // What a custom property stands for on the page. A canvas does not know one property within
+    // another: an element does.
+    value(name) {
+        this.sample ??= this.lab.spot.appendChild(element('span', { hidden: true }));
+        this.sample.style.color = `var(${name})`;
+        return getComputedStyle(this.sample).color;
     }
 
     colours() {
-        const style = getComputedStyle(document.documentElement);
-        const value = name => style.getPropertyValue(name).trim();
-        this.ink = value('--fg') || '#000';
-        this.paper = value('--bg') || '#fff';
+        this.ink = this.value('--fg') || '#000';
+        this.paper = this.value('--bg') || '#fff';
+        // Those of the scene first, so that no two of them have the same one if that can be.
+        const { known, scene } = this.lab;
+        const place = ({ name }) => (scene.methods.indexOf(name) + 1 || Infinity);
+        let turn = 0;
         this.looks = new Map(
-            this.lab.known.map(method => {
-                const { colour, marker, dash } = look(method);
-                return [method.number, { colour: value(colour), path: new Path2D(marker), dash }];
-            }),
+            [...known]
+                .sort((a, b) => (place(a) > place(b)) - (place(a) < place(b)))
+                .map(method => {
+                    const own = method.number < OWN_COLOURS;
+                    const { colour, marker, dash } = look(method, own ? 0 : turn++);
+                    const [css, path] = [this.value(colour), new Path2D(marker)];
+                    return [method.number, { colour: css, name: colour, path, dash }];
+                }),
         );
     }
 

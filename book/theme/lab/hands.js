@@ -45,7 +45,7 @@ function draggableIn(lab, canvas, grasp, move) {
         (point, reach) => grasp(...at(point), reach),
         (held, point) => {
             lab.running = false;
-            lab.held = true;
+            lab.held = lab.grasped = true;
             move(held, ...at(point));
         },
         () => {

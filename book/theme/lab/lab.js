@@ -9,6 +9,12 @@
 const BUDGET = 7;
 const FIRST_STEPS = 64;
 
+// How much of its first scene the lab's own page shows when it opens (s).
+const OPENING = 20;
+
+// When the page has nothing else to do.
+const idle = globalThis.requestIdleCallback ?? (work => setTimeout(work, 1));
+
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 // A run with a clock, on a page.
@@ -23,6 +29,9 @@ class Lab extends Run {
         this.addresses = new Addresses(names, this.places, this.lessons);
         // A lab on its own page has all controls; one within a chapter shows its lesson.
         this.whole = spot.classList.contains('whole');
+        this.hero = spot.classList.contains('hero');
+        // Whether the reader has taken a bob.
+        this.grasped = false;
         this.preset = spot.dataset.preset;
         this.running = this.held = false;
         // Whether the reader has touched it; until then one within a chapter moves by itself.
@@ -45,7 +54,10 @@ class Lab extends Run {
                 this.go();
             });
         }
-        if (!this.arrived) this.begin();
+        if (!this.arrived) {
+            this.begin();
+            if (this.whole) this.finished();
+        }
         if (!this.whole) this.unasked();
         spot.classList.add('on');
         let wide = 0;
@@ -61,27 +73,48 @@ class Lab extends Run {
         document.fonts.ready.then(() => this.drawing.layout());
     }
 
+    // A run to look at, for who comes with no scene in mind.
+    finished() {
+        const steps = Math.round(OPENING / this.scene.dt);
+        while (this.taken < steps && this.advance(Math.min(steps - this.taken, 64)));
+        this.show();
+    }
+
     // Begins where there is something to see, and moves while it is seen, until the reader
     // takes over; then its numbers are shown, too.
     unasked() {
-        const { live } = this.page,
-            start = Math.round(PRESETS[this.preset].from / this.scene.dt);
-        // In pieces of which each step is drawn.
-        while (this.taken < start && this.advance(Math.min(start - this.taken, 64)));
-        this.clock = this.time;
+        const { live } = this.page;
         live.classList.add('unasked');
+        const take = () => {
+            this.touched = true;
+            this.seen?.disconnect();
+            live.classList.remove('unasked');
+        };
+        for (const event of ['pointerdown', 'keydown', 'click'])
+            live.addEventListener(event, take, { once: true, capture: true });
+        this.approach(Math.round(PRESETS[this.preset].from / this.scene.dt));
+    }
+
+    // Takes the first steps while the page rests, in pieces of which each step is drawn, and then
+    // moves while it is seen.
+    approach(start) {
+        if (this.touched) return;
+        const end = performance.now() + BUDGET;
+        let more = this.taken < start;
+        while (more && performance.now() < end)
+            more = this.advance(Math.min(start - this.taken, 64)) && this.taken < start;
+        if (more) {
+            idle(() => this.approach(start));
+            return;
+        }
+        this.clock = this.time;
+        this.show();
         const seen = new IntersectionObserver(
             ([entry]) => this.run(entry.isIntersecting && !calm.matches),
             { threshold: 0.3 },
         );
         seen.observe(this.spot);
-        const take = () => {
-            this.touched = true;
-            seen.disconnect();
-            live.classList.remove('unasked');
-        };
-        for (const event of ['pointerdown', 'keydown', 'click'])
-            live.addEventListener(event, take, { once: true, capture: true });
+        this.seen = seen;
     }
 
     // Goes to the scene in an address, the page's own; returns whether there is one. What of it was

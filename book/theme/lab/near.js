@@ -3,6 +3,8 @@
 (() => {
     'use strict';
 
+    // Without it nothing will come in the place of the picture.
+    if (typeof WebAssembly !== 'object') document.documentElement.classList.add('no-lab');
     // mdBook by itself has loaded the single files.
     if (typeof Lab !== 'undefined') return;
     const script = document.createElement('script');
@@ -11,7 +13,8 @@
         entries => {
             if (!entries.some(entry => entry.isIntersecting)) return;
             observer.disconnect();
-            document.head.append(script);
+            // What the reader sees first is not kept waiting.
+            (globalThis.requestIdleCallback ?? setTimeout)(() => document.head.append(script));
         },
         { rootMargin: '100% 0%' },
     );

@@ -80,10 +80,40 @@ class Lessons {
     }
 }
 
+// Takes the time between two presses, of the pendulums' own clock.
+class Stopwatch {
+    constructor(lab) {
+        this.lab = lab;
+        this.from = this.to = null;
+        this.button = button('watch', 'Stopwatch', () => this.press());
+        this.read = element('output', { class: 'time lapse', 'aria-live': 'off' });
+        this.live = [this.button, this.read];
+    }
+
+    press() {
+        const { from, to, lab } = this;
+        if (from === null) this.from = lab.time;
+        else if (to === null) this.to = lab.time;
+        else this.from = this.to = null;
+        this.show();
+    }
+
+    show() {
+        const { lab } = this;
+        // Another run has begun.
+        if (Math.max(this.from, this.to) > lab.time) this.from = this.to = null;
+        const { from, to } = this;
+        this.button.textContent =
+            from === null ? 'Stopwatch' : to === null ? 'Stop the watch' : 'Back to zero';
+        this.read.textContent =
+            from === null ? '' : `${seconds((to ?? lab.time) - from, lab.scene.dt)} s`;
+    }
+}
+
 class Page {
     constructor(lab) {
         this.lab = lab;
-        const { drawing, whole, preset } = lab;
+        const { drawing, whole, hero, preset } = lab;
         const sheet = (own, notes = []) => markup`<div class="sheet">${own.canvas}${notes}</div>`;
         this.run = button('run', 'Run', () => lab.run(!lab.running));
         this.time = element('output', { class: 'time', 'aria-live': 'off' });
@@ -94,7 +124,9 @@ class Page {
         this.numbers = new Numbers(lab);
         this.lessons = whole ? new Lessons(lab) : null;
         const plots = whole ? [drawing.energy, drawing.angle] : [drawing[PRESETS[preset].shows]];
-        this.reading = new Reading(lab, [drawing.phase, ...plots]);
+        this.watch = whole ? new Stopwatch(lab) : null;
+        // On the first page the pendulums stand alone.
+        this.reading = new Reading(lab, hero ? [] : [drawing.phase, ...plots]);
         this.live = markup`
             <div class="live" role="group">
                 <div class="scene">
@@ -102,13 +134,15 @@ class Page {
                         <div class="stage">${drawing.stage.canvas}</div>
                         <div class="buttons">
                             ${this.run}
-                            ${button('step', 'One step', () => lab.oneStep())}
+                            ${hero ? [] : button('step', 'One step', () => lab.oneStep())}
                             ${button('again', 'Start again', () => lab.again())}
+                            ${whole ? this.watch.live : []}
                             ${[this.time, this.slow]}
                         </div>
+                        <p class="note">Drag a bob and let go: all begin there, at rest.</p>
                     </div>
                     ${whole ? this.lessons.beside : []}
-                    <div class="rest">
+                    ${hero ? [] : markup`<div class="rest">
                         <div class="sheets">
                             ${sheet(drawing.phase, this.orbit)}
                             ${plots.map(plot => sheet(plot))}
@@ -116,10 +150,10 @@ class Page {
                         </div>
                         ${whole ? lab.pin.live : []}
                         ${this.controls.live}
-                    </div>
+                    </div>`}
                 </div>
                 <div class="below">
-                    ${this.numbers.table}
+                    ${hero ? [] : this.numbers.table}
                     ${whole ? [this.numbers.digits(), new Keep(lab).live] : this.onward()}
                     ${this.said}
                 </div>
@@ -136,6 +170,7 @@ class Page {
     // Updates what depends on the scene alone.
     settle() {
         const { scene } = this.lab;
+        this.lab.drawing.colours();
         this.controls.settle();
         this.lessons?.settle();
         this.orbit.textContent = [
@@ -159,6 +194,7 @@ class Page {
         const steps = `${count(taken)} ${taken === 1 ? 'step' : 'steps'}`;
         this.run.textContent = running ? 'Pause' : 'Run';
         this.time.textContent = `t = ${seconds(time, scene.dt)} s, ${steps}`;
+        this.watch?.show();
         this.numbers.show();
         this.lab.drawing.describe();
     }

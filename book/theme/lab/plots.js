@@ -1,6 +1,10 @@
 // The phase portrait of a lab, and the plots of one quantity of every pendulum over time.
 'use strict';
 
+// What is so many times as large as the largest of the others, and larger than a swing can be,
+// would press these flat: it leaves the picture, and its number stands where it left.
+const FAR = 10;
+
 // The systems of which the separatrix says something.
 const PLAIN = ['pendulum', 'driven'];
 
@@ -33,12 +37,19 @@ class Portrait extends Sheet {
         };
     }
 
+    // The largest velocity that is drawn (rad/s): half as fast again as what just goes round turns
+    // at the bottom, twice over, or as fast as the start.
+    get most() {
+        const { g, L, omega0 } = this.lab.scene;
+        return Math.max(6 * Math.sqrt(g / L), 1.25 * Math.abs(omega0));
+    }
+
     // Draws what does not move: axes, the exact orbit, the separatrix. It clears the dots.
     base() {
         const { lab } = this;
         if (!this.width) return;
         const top = 2 * Math.sqrt(lab.scene.g / lab.scene.L);
-        const speeds = lab.pendulums.map(p => Math.abs(p.read(OMEGA))).filter(Number.isFinite);
+        const speeds = lab.pendulums.map(p => Math.abs(p.read(OMEGA))).filter(w => w <= this.most);
         const seen = Math.max(...speeds, Math.abs(lab.scene.omega0), 0);
         if (this.reach === 0 || seen > this.reach)
             this.reach = roundUp(Math.max(1.25 * top, 1.25 * seen));
@@ -100,7 +111,9 @@ class Portrait extends Sheet {
     draw() {
         const { lab } = this;
         if (!this.width) return;
-        if (lab.pendulums.some(p => Math.abs(p.read(OMEGA)) > this.reach)) this.base();
+        const { most, reach } = this;
+        const grows = w => w > reach && w <= most;
+        if (lab.pendulums.some(p => grows(Math.abs(p.read(OMEGA))))) this.base();
         const f = this.frame(),
             dots = this.dots.getContext('2d');
         const add = (pendulum, i) => {
@@ -127,7 +140,14 @@ class Portrait extends Sheet {
                 ? [at.theta, at.omega]
                 : [wrapped(pendulum.read(THETA)), pendulum.read(OMEGA)];
             const size = 1.35 - 0.75 * (i / Math.max(lab.pendulums.length - 1, 3));
-            mark(ink, path, f.x(theta), f.y(omega), size, colour, true);
+            const y = Math.min(Math.max(f.y(omega), f.top + 8), f.bottom - 8);
+            mark(ink, path, f.x(theta), y, size, colour, true);
+            if (y === f.y(omega) || Number.isNaN(y)) return;
+            // Out of the picture: its number, on the side where there is room.
+            const side = f.x(theta) > (f.left + f.right) / 2 ? 'right' : 'left';
+            ink.fillStyle = colour;
+            const beside = f.x(theta) + (side === 'right' ? -12 : 12);
+            write(ink, `ω = ${tick(Number(omega.toPrecision(2)))}`, beside, y, side, 'middle');
         });
     }
 
@@ -183,9 +203,26 @@ function linearAxis(all, { top, bottom }) {
 
 class Plot extends Sheet {
     // `seriesOf` is the record of a pendulum.
-    constructor(lab, seriesOf) {
+    // `usual` is how large the quantity of a swing in a scene can be.
+    constructor(lab, seriesOf, unit, usual) {
         super();
-        Object.assign(this, { lab, seriesOf, span: 0 });
+        Object.assign(this, { lab, seriesOf, unit, usual, span: 0 });
+    }
+
+    // What a bob gains from the bottom to the top (J, of 1 kg).
+    static energyScale({ g, L }) {
+        return 2 * g * L;
+    }
+
+    // Those that have left all the others behind, of some that have a series.
+    far(all) {
+        const sorted = [...all].sort((a, b) => b.series.largest - a.series.largest);
+        const usual = this.usual(this.lab.scene);
+        const leads = (one, i) =>
+            i + 1 < sorted.length &&
+            one.series.largest > Math.max(FAR * sorted[i + 1].series.largest, usual);
+        const last = sorted.findLastIndex(leads);
+        return sorted.slice(0, last + 1);
     }
 
     // The frame in pixels.
@@ -211,7 +248,9 @@ class Plot extends Sheet {
         });
         const own = lab.pendulums.map(curve(lab.scene.dt));
         const pinned = lab.pin.shown().map(curve(lab.pin.dt));
-        const all = [...own, ...pinned].map(({ series }) => series);
+        const far = logarithmic ? [] : this.far([...own, ...pinned]);
+        const near = [...own, ...pinned].filter(one => !far.includes(one));
+        const all = near.map(({ series }) => series);
         const last = Math.max(lab.time, pinned.length ? lab.pin.time : 0);
         this.span = lab.scene.until || roundUp(Math.max(last, 10 * lab.scene.dt, 5));
         const x = t => f.left + (t / this.span) * (f.right - f.left);
@@ -233,6 +272,19 @@ class Plot extends Sheet {
             ink.fillStyle = lab.drawing.ink;
             if (lab.cursor) ink.fillRect(x(lab.cursor.time) - 0.5, f.top, 1, f.bottom - f.top);
         });
+        far.forEach((one, i) => this.note(one, f, i));
+    }
+
+    // The number of what has left the picture, at the edge where it did.
+    note({ series, method }, { right, top, bottom }, i) {
+        const { ink, lab, unit } = this;
+        const now = series.last[series.length - 1],
+            up = now > 0;
+        ink.fillStyle = lab.drawing.looks.get(method.number).colour;
+        const size = tick(Number(now.toPrecision(2)));
+        const words = `${method.title}: ${size} ${unit} ${up ? '▲' : '▼'}`;
+        const y = up ? top + 12 + 18 * i : bottom - 12 - 18 * i;
+        write(ink, words, right - 6, y, 'right', 'middle');
     }
 
     // The places of a curve: of its bins the largest errors, or both extremes.

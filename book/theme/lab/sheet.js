@@ -95,10 +95,19 @@ function within(ink, { left, right, top, bottom }, draw) {
     ink.restore();
 }
 
-// The colour, the marker and the dash of a method.
-function look({ number }) {
+// The first methods of the library, the paper's four, have their colours to themselves: elsewhere
+// in the book, too, such a colour is that method. The others take turns in what is left, each in
+// the order in which it is chosen.
+const OWN_COLOURS = 4;
+const SHARED = ['--pendula-ochre', '--pendula-sky', '--pendula-ink', '--quiet'];
+
+// The colour, the marker and the dash of a method, the `turn`-th of those that share colours.
+function look({ number }, turn = number) {
     return {
-        colour: `--pendula-${COLOURS[number % COLOURS.length]}`,
+        colour:
+            number < OWN_COLOURS
+                ? `--pendula-${COLOURS[number]}`
+                : SHARED[turn % SHARED.length],
         marker: MARKERS[number % MARKERS.length],
         dash: DASHES[number % DASHES.length],
     };
