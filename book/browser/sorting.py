@@ -1,6 +1,6 @@
 """The table of solvers: sorted by its headings, by mouse and by keyboard, and without scripts."""
 
-from browser import Tab
+from browser import DESK, TELEPHONE, Tab
 
 PAGE = "others.html"
 TABLE = "document.querySelector('.sortable table')"
@@ -40,6 +40,47 @@ def test_sorting(tab):
     assert initials == sorted(initials)
     assert tab.run(SORTED)[0] == "ascending" and tab.run(SORTED).count(None) == len(heads) - 1
     assert sorted(tab.run(COLUMN, 1)) == sorted(before)
+
+
+def test_filters(tab):
+    """A verdict and a library that are chosen leave their rows alone, and stand in the address,
+    which leads to the same rows again."""
+    tab.open(PAGE)
+    heads = tab.run(f"{HEADS}.map(head => head.textContent)")
+    shown = (f"[...{TABLE}.tBodies[0].rows].filter(row => row.checkVisibility())"
+             ".map(row => [...row.cells].map(cell => cell.textContent.trim()))")
+    every = tab.run(shown)
+    tab.page.select_option(".filter select[name=verdict]", "fails")
+    failing = tab.run(shown)
+    verdict = heads.index("verdict")
+    assert [row for row in every if row[verdict] == "fails"] == failing
+    said = tab.run("document.querySelector('.filter output').value")
+    assert said == f"{len(failing)} of {len(every)}"
+    library = failing[0][0].rsplit(" ", 1)[0]
+    tab.page.select_option(".filter select[name=library]", library)
+    both = tab.run(shown)
+    assert 0 < len(both) < len(failing)
+    place = tab.run("location.hash")
+    tab.anew(PAGE, "document.querySelector('.filter')", place)
+    assert tab.run(shown) == both
+    tab.page.click(".filter button[type=reset]")
+    assert tab.comes(f"({shown}).length === {len(every)}")
+
+
+def test_room(tab):
+    """On a wide screen the table is wider than the text, and no more than its least columns are
+    beyond its edge; on a telephone each row is a card that nothing hides."""
+    tab.screen(1440)
+    tab.open(PAGE)
+    box = "document.querySelector('.sortable .table-wrapper')"
+    assert tab.run(f"{box}.clientWidth") > 1000
+    assert tab.run(f"{box}.scrollWidth - {box}.clientWidth") <= 0
+    tab.screen(TELEPHONE)
+    tab.open(PAGE)
+    assert tab.run(f"{box}.scrollWidth <= {box}.clientWidth")
+    first = f"[...{TABLE}.tBodies[0].rows[0].cells].map(cell => cell.getBoundingClientRect().left)"
+    assert len(set(tab.run(first))) == 1
+    tab.screen(DESK)
 
 
 def test_without_scripts(chromium, book):

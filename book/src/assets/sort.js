@@ -1,7 +1,9 @@
-// Tables that a reader can sort: those in a block of class "sortable". Each heading becomes a
-// button, which sorts by its column, and the other way round when it is pressed again; aria-sort
-// says so. Rows without a number stand last either way. Without scripts, and on paper, the order is
-// the book's.
+// Tables that a reader can sort and filter: those in a block of class "sortable". Each heading
+// becomes a button, which sorts by its column, and the other way round when it is pressed again;
+// aria-sort says so. Rows without a number stand last either way. The filters, of the columns that
+// FILTERS names, stand in the address, as in #verdict=fails, so that they can be linked to. On a
+// telephone a row is a card. Without scripts, and on paper, every row is there, in the order of the
+// book.
 (() => {
     'use strict';
     if (/\/print\.html$/.test(location.pathname)) return;
@@ -23,8 +25,68 @@
         };
     };
 
+    const FILTERS = ['verdict', 'library', 'language'];
+    // A library with its version stands before a blank.
+    const kind = (row, column) => said(row, column).replace(/ \d\S*$/, '');
+
+    const filters = (table, names) => {
+        const columns = FILTERS.filter(name => names.includes(name));
+        const rows = [...table.tBodies[0].rows];
+        const form = Object.assign(document.createElement('form'), {className: 'filter'});
+        form.setAttribute('aria-label', 'Filter of the table');
+        const selects = columns.map(name => {
+            const column = names.indexOf(name);
+            const label = document.createElement('label');
+            const select = Object.assign(document.createElement('select'), {name});
+            select.add(new Option('any', ''));
+            const kinds = [...new Set(rows.map(row => kind(row, column)))];
+            kinds.sort((a, b) => a.localeCompare(b, 'en'));
+            for (const one of kinds) select.add(new Option(one));
+            label.append(name[0].toUpperCase() + name.slice(1), ' ', select);
+            form.append(label);
+            return {name, column, select};
+        });
+        const shown = document.createElement('output');
+        const all = document.createElement('button');
+        form.append(Object.assign(all, {type: 'reset', textContent: 'Show all'}), shown);
+        const show = () => {
+            for (const row of rows)
+                row.hidden = selects.some(({select, column}) =>
+                    select.value && select.value !== kind(row, column));
+            shown.value = `${rows.filter(row => !row.hidden).length} of ${rows.length}`;
+        };
+        const filter = () => {
+            show();
+            const chosen = [...new FormData(form)].filter(([, value]) => value);
+            const address = chosen.length ? `#${new URLSearchParams(chosen)}` : location.pathname;
+            history.replaceState(history.state, '', address);
+        };
+        const follow = () => {
+            const asked = new URLSearchParams(location.hash.slice(1));
+            if (!selects.some(({name}) => asked.has(name))) return;
+            for (const {name, select} of selects) {
+                select.value = asked.get(name) ?? '';
+                if (select.selectedIndex < 0) select.value = '';
+            }
+            show();
+            form.scrollIntoView();
+        };
+        form.addEventListener('change', filter);
+        form.addEventListener('submit', event => event.preventDefault());
+        // A form is reset after this event.
+        form.addEventListener('reset', () => setTimeout(filter));
+        addEventListener('hashchange', follow);
+        table.closest('.table-wrapper').before(form);
+        show();
+        follow();
+    };
+
     for (const table of document.querySelectorAll('.sortable table')) {
         const heads = [...table.tHead.rows[0].cells];
+        const names = heads.map(head => head.textContent.trim());
+        for (const row of table.tBodies[0].rows)
+            [...row.cells].forEach((cell, column) => { cell.dataset.label = names[column]; });
+        filters(table, names);
         heads.forEach((head, column) => {
             const button = Object.assign(document.createElement('button'), {type: 'button'});
             button.append(...head.childNodes);
