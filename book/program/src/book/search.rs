@@ -339,8 +339,8 @@ mod tests {
         <figure><svg><text>−1.5</text><g><svg></svg></g></svg><figcaption>Seen &amp; told.</figcaption></figure>
         <h2 id="e">Exercises</h2><p>Prove it.</p>
         <fieldset class="question"><label>Which?</label></fieldset>
-        <details><summary>Solution 1</summary><details><p>Nobody</p></details><p>knows.</p></details>
-        <details><summary>More</summary><p>Halves of <math><mfrac>12</mfrac></math>.</p></details>
+        <details><summary>Solution 1</summary><details><p>No</p></details><p>one.</p></details>
+        <details><summary>More</summary><p>Half <math><mfrac>12</mfrac></math>.</p></details>
         </main>"##;
 
     fn sections() -> Vec<Section> {
@@ -358,7 +358,7 @@ mod tests {
             seen.collect::<Vec<_>>(),
             [
                 ["s.html", chapter, chapter, "A kick, and a drift Φh. Seen & told."],
-                ["s.html#e", "Exercises", chapter, "Prove it. More Halves of …."],
+                ["s.html#e", "Exercises", chapter, "Prove it. More Half …."],
             ]
         );
         assert_eq!(sections[0].searched, "A kick, and a drift . Seen & told.");
