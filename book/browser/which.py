@@ -91,6 +91,13 @@ def known(book: Book) -> dict:
     return json.loads(book.text("assets/known-answers.json"))
 
 
+def titles(book: Book) -> dict[str, str]:
+    """What methods of the library are called, by their names."""
+    script = book.text("assets/known-answers.js").removeprefix("globalThis.knownAnswers = ")
+    methods = json.loads(script.strip().removesuffix(";"))["methods"]
+    return {method["name"]: method["title"] for method in methods if "title" in method}
+
+
 def answer(book: Book, name: str, scene: str = "swinging", steps: int = 1) -> list[float]:
     file = known(book)
     entry = next(e for e in file["methods"] + file["mistakes"] if e["name"] == name)
@@ -117,7 +124,7 @@ def test_typed(tab, book):
     for number in answer(book, "stormer-verlet"):
         tab.page.keyboard.type(repr(number))
         tab.press("Tab")
-    assert tab.run(SAID) == "It is stormer-verlet."
+    assert tab.run(SAID) == "It is Störmer–Verlet (stormer-verlet)."
     assert "order\n2\n" in tab.run(RESULT)
     chapter = tab.run("document.querySelector('.which .result strong a').href")
     assert book.page(chapter) in book.chapters
@@ -129,7 +136,7 @@ def test_typed(tab, book):
     wrong = answer(book, "stormer-verlet-times-of-kicks", "driven", 2)
     tab.page.keyboard.type(" ".join(map(repr, wrong)))
     tab.press("Enter")
-    assert tab.run(SAID) == "It is stormer-verlet with a mistake."
+    assert tab.run(SAID) == "It is Störmer–Verlet (stormer-verlet) with a mistake."
     # Neither fields nor focus are lost.
     inside = "document.activeElement.closest('.which form')"
     assert tab.run(f"{inside}?.querySelectorAll('.pair input').length === 4")
@@ -184,7 +191,11 @@ def test_no_false_name(tab, book):
     cases = [(*case, digits) for digits in (17, 9, 6, 4) for case in cases]
     pairs = [[f"{x:.{digits}g}" for x in stepped(m, f)] for m, _, f, digits in cases]
     silent, named = [], 0
+    calls = [(f"{title} ({name})", name) for name, title in titles(book).items()]
+    assert len(calls) > 25
     for (method, equation, _, digits), pair, said in zip(cases, pairs, tab.run(TOLD, pairs)):
+        for call, name in calls:
+            said = said.replace(call, name)
         if (method, equation) in SAME:
             assert digits < 17 or SAME[method, equation] in said, said
             continue
@@ -202,7 +213,7 @@ def test_weight(book):
 
 def test_told(tab, book):
     """What is no answer is told what it is."""
-    rk4 = answer(book, "rk4")
+    rk4, verlet = answer(book, "rk4"), answer(book, "stormer-verlet")
     linear = answer(book, "stormer-verlet-sine-linearised")
     exact = [math.cos(1 / 8) + math.sin(1 / 8) / 2 + 1e-9, math.cos(1 / 8) / 2 - math.sin(1 / 8)]
     open_form(tab)
@@ -212,9 +223,9 @@ def test_told(tab, book):
         ("θ is no decimal number: “banana”.", linked(tab, ["banana", "0.4"])),
         ("ω is not finite", linked(tab, [1.05, "nan"])),
         ("no step was taken", linked(tab, [1, 0.5])),
-        ("In degrees they are those of rk4.", linked(tab, [math.degrees(x) for x in rk4])),
+        ("In degrees they are those of RK4 (rk4).", linked(tab, [math.degrees(x) for x in rk4])),
         ("θ in degrees, and ω in rad/s, they", linked(tab, [math.degrees(rk4[0]), rk4[1]])),
-        ("wrong: θ for sin θ; the method is stormer-verlet.", linked(tab, linear)),
+        ("wrong: θ for sin θ; the method is Störmer–Verlet (stormer-verlet).", linked(tab, linear)),
         ("tell, the equation is wrong: θ for", linked(tab, [f"{x:.5g}" for x in linear])),
         # What an accurate program has whose method is in no file.
         ("To 9 digits they are those of a wrong equation: θ", linked(tab, exact)),
@@ -225,9 +236,12 @@ def test_told(tab, book):
         ("entries fit.", linked(tab, single, "single")),
         ("As far as 6 digits tell", linked(tab, [f"{x:.6g}" for x in rk4])),
         # With ten digits two mistakes are within ten times the last of them.
-        ("one of: rk4, rk4-a43-off or rk4-b2-b3-off.", linked(tab, [f"{x:.10g}" for x in rk4])),
-        ("As far as 12 digits tell, it is rk4.", linked(tab, [f"{x:.12g}" for x in rk4])),
-        ("The nearest is rk4,", linked(tab, [rk4[0] + 1e-12, rk4[1]])),
+        ("one of: RK4 (rk4), rk4-a43-off or rk4-b2-b3-off.",
+         linked(tab, [f"{x:.10g}" for x in rk4])),
+        ("As far as 12 digits tell, it is RK4 (rk4).", linked(tab, [f"{x:.12g}" for x in rk4])),
+        # Of those that fit, the library's come first.
+        ("it is one of: Störmer–Verlet", linked(tab, [f"{x:.6g}" for x in verlet])),
+        ("The nearest is RK4 (rk4),", linked(tab, [rk4[0] + 1e-12, rk4[1]])),
         ("No entry fits all", linked(tab, rk4, more="&driven-1=1.0593,0.4533")),
         ("with g/L = 1, and in radians?", linked(tab, [2.5, 3.5])),
     ]:

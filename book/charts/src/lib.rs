@@ -36,7 +36,7 @@ pub use chart::{Chart, Series};
 pub use figure::Figure;
 pub use path::{Num, Point};
 pub use regions::{Cell, Fill, Map, Name};
-pub use style::{Style, style_sheet};
+pub use style::{Style, area_of, style_sheet};
 pub use text::{draw_text, escape, line, width, wrapped};
 
 /// Room to the right of a plot, for half a tick label.

@@ -184,10 +184,10 @@ impl<'a> Plot<'a> {
             let two_lines = place(wide, 2.0 * ROW - 10.0).filter(|_| !numbers.is_empty());
             // A line of text stands on its base line.
             if let Some((x, y)) = two_lines {
-                draw_text(out, "halo", (x, y - 4.0), "middle", title);
-                draw_text(out, "halo", (x, y + 16.0), "middle", &numbers);
+                draw_text(out, "halo on", (x, y - 4.0), "middle", title);
+                draw_text(out, "halo on", (x, y + 16.0), "middle", &numbers);
             } else if let Some((x, y)) = place(width(title) + 8.0, 19.0) {
-                draw_text(out, "halo", (x, y + 6.0), "middle", title);
+                draw_text(out, "halo on", (x, y + 6.0), "middle", title);
             } else {
                 continue;
             }
@@ -442,7 +442,7 @@ pub mod tests {
             (160.0 - 4.0, "two lines"),
             (160.0 + 16.0, "7 steps"),
         ] {
-            draw_text(&mut expected, "halo", (264.0, y), "middle", text);
+            draw_text(&mut expected, "halo on", (264.0, y), "middle", text);
         }
         let (texts, unnamed) = drawn([100.0, 300.0]);
         assert_eq!((texts, unnamed), (expected.lines().collect(), vec!["low".to_string()]));

@@ -5,30 +5,38 @@ use std::fmt::Write;
 use super::path::{self, Num, Point};
 use super::regions::Fill;
 
-/// `(name, on light, on dark)`: Okabe and Ito's colours, darkened or lightened until each has a
-/// contrast of 3 : 1 or more against mdBook's light and rust, or coal, navy and ayu. The same
-/// values stand in `book/theme/figures.css`, which can override them by custom properties.
-const PALETTE: [(&str, &str, &str); 6] = [
+/// `(name, on light, on dark)`, each with a contrast of 3 : 1 or more against mdBook's light and
+/// rust, or coal, navy and ayu. The first four, after Okabe and Ito, are the paper's methods' and
+/// nobody else's. The same values stand in `book/theme/figures.css`, which can override them by
+/// custom properties.
+const PALETTE: [(&str, &str, &str); 10] = [
     ("vermilion", "#b83a00", "#ff8c4d"),
     ("blue", "#0068a8", "#5cb4f0"),
     ("green", "#00805c", "#34cb9d"),
     ("purple", "#b04a88", "#e79bc8"),
+    ("indigo", "#5a48c0", "#b4a5ff"),
     ("ochre", "#9a6a00", "#f5d04a"),
-    ("sky", "#3a86b4", "#a5d8ff"),
+    ("sky", "#00859b", "#8ce3ee"),
+    ("brown", "#7d4b2a", "#d8a17a"),
+    ("olive", "#66701a", "#c5d15a"),
+    ("slate", "#5c6670", "#aab3bd"),
 ];
-/// The colours of areas, `(on light, on dark)`, under text in the colour of the page's. As seen by
-/// readers without one of the three cones, too, each pair of them is 20 or more apart in CIELAB;
-/// they are given as `area-0` and so on. None is a line's, so that no area is taken for a method
-/// whose line has its colour.
+/// How many of them are the paper's.
+const OWN: usize = 4;
+/// The colours of areas, `(on light, on dark)`, under black or white text, by what their hue is in
+/// [`PALETTE`]: from purple on. As seen by readers without one of the three cones, too, each pair
+/// of them is 20 or more apart in CIELAB.
 const AREAS: [(&str, &str); 7] = [
-    ("#d4e9bf", "#aaaad4"),
-    ("#6ae9ff", "#5594e9"),
-    ("#ffd47f", "#d4aa55"),
-    ("#9494e9", "#555594"),
-    ("#3faa7f", "#6a5500"),
-    ("#bf7f3f", "#943f55"),
-    ("#aa7faa", "#e97f7f"),
+    ("#f077bf", "#3a1a3d"),
+    ("#d899fd", "#1b0252"),
+    ("#efd483", "#a26812"),
+    ("#baf9fd", "#117a94"),
+    ("#cc933f", "#5f2005"),
+    ("#f4f6cd", "#837446"),
+    ("#a39f8f", "#495a53"),
 ];
+/// Of the text on an area.
+const ON_AREA: (&str, &str, &str) = ("on-area", "#000000", "#ffffff");
 const INK: (&str, &str, &str) = ("ink", "#24292f", "#d5dae0");
 const PAPER: (&str, &str, &str) = ("paper", "#ffffff", "#0d1117");
 
@@ -94,12 +102,14 @@ impl Style {
     /// What is there beside what matters: a thin, faint line.
     pub const BACKGROUND: Self = Self { weight: Weight::Thin, ..Self::REFERENCE };
 
-    /// The style of the method that stands at `index` in the list of methods: line and marker.
+    /// The style of the method that stands at `index` in a list of methods: line and marker. The
+    /// first four have a colour for themselves.
     ///
     /// The first 24 differ in colour or marker.
     pub const fn numbered(index: usize) -> Self {
+        let turn = OWN + (index + PALETTE.len() - 2 * OWN) % (PALETTE.len() - OWN);
         Self {
-            colour: Some(index % PALETTE.len()),
+            colour: Some(if index < OWN { index } else { turn }),
             line: Some(index % (DASHES.len() - 1)),
             marker: Some(index % MARKERS.len()),
             ..Self::REFERENCE
@@ -108,12 +118,11 @@ impl Style {
 
     /// The style of the `index`-th of some series that are not methods.
     ///
-    /// The first 6 differ in colour, and in marker; neighbours in their dash, too. None is that of
-    /// one of the paper's four methods, which are the first of [`numbered`](Self::numbered).
+    /// The first 6 differ in colour, and in marker; neighbours in their dash, too. None has a
+    /// colour of the paper's four methods, which are the first of [`numbered`](Self::numbered).
     pub const fn series(index: usize) -> Self {
-        const COLOURS: [usize; 6] = [5, 4, 1, 0, 3, 2];
         Self {
-            colour: Some(COLOURS[index % COLOURS.len()]),
+            colour: Some(OWN + index % (PALETTE.len() - OWN)),
             line: Some(index % (DASHES.len() - 1)),
             marker: Some(index % MARKERS.len()),
             ..Self::REFERENCE
@@ -231,6 +240,11 @@ impl Style {
     }
 }
 
+/// The area for the method at `index` in a list of methods, if one has its hue.
+pub const fn area_of(index: usize) -> Option<usize> {
+    if index + 1 >= OWN && index + 1 < OWN + AREAS.len() { Some(index + 1 - OWN) } else { None }
+}
+
 /// The class of the `index`-th colour of areas. There are as many as [`AREAS`].
 fn area(index: usize) -> String {
     format!("area-{}", index % AREAS.len())
@@ -269,6 +283,9 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
         for &i in &colours {
             css += &format!(".{id} .{} {{color:{}}}\n", PALETTE[i].0, var(PALETTE[i]));
         }
+        if !fills.is_empty() {
+            css += &format!(".{id} .on {{fill:{}}}\n", var(ON_AREA));
+        }
         for &i in &areas {
             let (name, (light, dark)) = (area(i), AREAS[i % AREAS.len()]);
             let colour = pick((light, light, dark));
@@ -304,6 +321,7 @@ pub fn style_sheet(id: &str, used: &[Style], fills: &[Fill], alone: bool) -> Str
             (" .cell text", "visibility:hidden"),
             (" .cell:hover text", "visibility:visible"),
             (":has(.cell:hover) .prompt", "visibility:hidden"),
+            (" .on", "stroke-width:0"),
             (" .edge", "stroke-width:1.8"),
             (" :is(.edge,.halo)", "pointer-events:none"),
         ]);
@@ -432,7 +450,44 @@ mod tests {
         assert!(nearest(&PALETTE.map(|colour| colour.1)) < 10.0, "colours made for lines");
     }
 
-    /// Catches: series that share a colour or a marker, or the look of one of the paper's methods.
+    /// Catches: a name on the map that cannot be read: 4.5 : 1 is what WCAG 2.1 asks of text.
+    #[test]
+    fn text_on_areas_can_be_read() {
+        let contrast = |a: &str, b: &str| {
+            let [a, b] = [a, b].map(|colour| {
+                let [red, green, blue] = linear(colour);
+                0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05
+            });
+            if a > b { a / b } else { b / a }
+        };
+        for (light, dark) in AREAS {
+            for (area, text) in [(light, ON_AREA.1), (dark, ON_AREA.2)] {
+                assert!(contrast(area, text) >= 4.5, "{text} on {area}");
+            }
+        }
+    }
+
+    /// Catches: an area whose method has a line of another hue, in either theme; or a line without
+    /// hue whose area has one.
+    #[test]
+    fn areas_have_the_hues_of_their_methods() {
+        for index in 0..24 {
+            let Some(area) = area_of(index) else { continue };
+            let (_, light, dark) = PALETTE[Style::numbered(index).colour.unwrap()];
+            for (line, area) in [(light, AREAS[area].0), (dark, AREAS[area].1)] {
+                let [[_, a, b], [_, c, d]] = [lab(linear(line)), lab(linear(area))];
+                if libm::hypot(a, b) < 12.0 {
+                    assert!(libm::hypot(c, d) < 12.0, "{line} {area}");
+                    continue;
+                }
+                let cosine = (a * c + b * d) / (libm::hypot(a, b) * libm::hypot(c, d));
+                assert!(cosine > 0.85, "{line} {area}: {cosine}");
+            }
+        }
+    }
+
+    /// Catches: series that share a colour or a marker, or have the colour of one of the paper's
+    /// methods; another method with such a colour.
     #[test]
     fn series_differ_from_each_other_and_from_methods() {
         for i in 0..6 {
@@ -441,10 +496,13 @@ mod tests {
                 let b = Style::series(j);
                 assert!(a.colour != b.colour && a.marker != b.marker, "{i} and {j}");
             }
-            for j in 0..4 {
-                assert_ne!(a, Style::numbered(j), "{i} and the method {j}");
+            for j in 0..OWN {
+                assert_ne!(a.colour, Style::numbered(j).colour, "{i} and the method {j}");
             }
         }
+        let colours: Vec<_> = (0..40).map(|i| Style::numbered(i).colour.unwrap()).collect();
+        assert_eq!(colours[..OWN + 1], [0, 1, 2, 3, 4]);
+        assert!(colours[OWN..].iter().all(|colour| *colour >= OWN), "{colours:?}");
     }
 
     /// Catches: a lab in which a method has another marker, colour or dash than in the figures
@@ -456,8 +514,8 @@ mod tests {
         let script = packed(&of_the_book("theme/lab/sheet.js"));
         let has = |list: String| assert!(script.contains(&packed(&list)), "{list}");
         let list = |words: Vec<String>| words.join(", ");
-        let colours = list(PALETTE.map(|(name, ..)| format!("'{name}'")).to_vec());
-        has(format!("COLOURS = [{colours}];"));
+        has(format!("COLOURS = [{}];", PALETTE.map(|(name, ..)| format!("'{name}',")).concat()));
+        has(format!("OWN_COLOURS = {OWN};"));
         has(format!("MARKERS = [{}];", MARKERS.map(|marker| format!("'{marker}',")).concat()));
         // The last is the guides'.
         let dashes = DASHES.split_last().unwrap().1;

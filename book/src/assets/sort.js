@@ -1,9 +1,9 @@
 // Tables that a reader can sort and filter: those in a block of class "sortable". Each heading
 // becomes a button, which sorts by its column, and the other way round when it is pressed again;
-// aria-sort says so. Rows without a number stand last either way. The filters, of the columns that
-// FILTERS names, stand in the address, as in #verdict=fails, so that they can be linked to. On a
-// telephone a row is a card. Without scripts, and on paper, every row is there, in the order of the
-// book.
+// aria-sort says so. Rows without a number stand last either way. The filters of a long table, of
+// the columns that FILTERS names, stand in the address, as in #verdict=fails or, of a block with an
+// id, in #rows.verdict=fails, so that they can be linked to. On a telephone a row is a card. Without
+// scripts, and on paper, every row is there, in the order of the book.
 (() => {
     'use strict';
     if (/\/print\.html$/.test(location.pathname)) return;
@@ -26,25 +26,30 @@
     };
 
     const FILTERS = ['verdict', 'library', 'language'];
+    const LONG = 30;
     // A library with its version stands before a blank.
     const kind = (row, column) => said(row, column).replace(/ \d\S*$/, '');
 
     const filters = (table, names) => {
         const columns = FILTERS.filter(name => names.includes(name));
         const rows = [...table.tBodies[0].rows];
+        if (rows.length < LONG || !columns.length) return;
+        const {id} = table.closest('.sortable');
+        const prefix = id && `${id}.`;
         const form = Object.assign(document.createElement('form'), {className: 'filter'});
         form.setAttribute('aria-label', 'Filter of the table');
         const selects = columns.map(name => {
             const column = names.indexOf(name);
             const label = document.createElement('label');
-            const select = Object.assign(document.createElement('select'), {name});
+            const select = document.createElement('select');
+            select.name = prefix + name;
             select.add(new Option('any', ''));
             const kinds = [...new Set(rows.map(row => kind(row, column)))];
             kinds.sort((a, b) => a.localeCompare(b, 'en'));
             for (const one of kinds) select.add(new Option(one));
             label.append(name[0].toUpperCase() + name.slice(1), ' ', select);
             form.append(label);
-            return {name, column, select};
+            return {column, select};
         });
         const shown = document.createElement('output');
         const all = document.createElement('button');
@@ -63,12 +68,14 @@
         };
         const follow = () => {
             const asked = new URLSearchParams(location.hash.slice(1));
-            if (!selects.some(({name}) => asked.has(name))) return;
-            for (const {name, select} of selects) {
-                select.value = asked.get(name) ?? '';
+            if (!selects.some(({select}) => asked.has(select.name))) return;
+            for (const {select} of selects) {
+                select.value = asked.get(select.name) ?? '';
                 if (select.selectedIndex < 0) select.value = '';
             }
             show();
+            const folded = form.closest('details');
+            if (folded) folded.open = true;
             form.scrollIntoView();
         };
         form.addEventListener('change', filter);

@@ -183,19 +183,17 @@ class Drawing {
     colours() {
         this.ink = this.value('--fg') || '#000';
         this.paper = this.value('--bg') || '#fff';
-        // Those of the scene first, so that no two of them have the same one if that can be.
+        // Those of the scene first.
         const { known, scene } = this.lab;
         const place = ({ name }) => (scene.methods.indexOf(name) + 1 || Infinity);
-        let turn = 0;
+        const sorted = [...known].sort((a, b) => (place(a) > place(b)) - (place(a) < place(b)));
+        const looks = looksOf(sorted);
         this.looks = new Map(
-            [...known]
-                .sort((a, b) => (place(a) > place(b)) - (place(a) < place(b)))
-                .map(method => {
-                    const own = method.number < OWN_COLOURS;
-                    const { colour, marker, dash } = look(method, own ? 0 : turn++);
-                    const [css, path] = [this.value(colour), new Path2D(marker)];
-                    return [method.number, { colour: css, name: colour, path, dash }];
-                }),
+            sorted.map(({ number }, i) => {
+                const { colour, marker, dash } = looks[i];
+                const [css, path] = [this.value(colour), new Path2D(marker)];
+                return [number, { colour: css, name: colour, path, dash }];
+            }),
         );
     }
 

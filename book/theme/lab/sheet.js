@@ -2,9 +2,31 @@
 // method.
 'use strict';
 
-// As in the figures: a method's colour, marker and dash follow from its index in the library's
-// list. A test in book/charts/src/style.rs checks that both agree.
-const COLOURS = ['vermilion', 'blue', 'green', 'purple', 'ochre', 'sky'];
+// As in the figures: a method's colour, marker and dash follow from its place in a list, and the
+// first four have a colour for themselves. Tests in book/charts/src/style.rs and
+// book/study/src/report/figures check that both agree.
+const COLOURS = [
+    'vermilion',
+    'blue',
+    'green',
+    'purple',
+    'indigo',
+    'ochre',
+    'sky',
+    'brown',
+    'olive',
+    'slate',
+];
+const OWN_COLOURS = 4;
+const STYLED = `
+    forward-euler symplectic-euler rk4 stormer-verlet
+    blanes-moan-6 taylor-24 processed-6 deuflhard gauss-16 processed-4
+    blanes-moan-srkn-6b dop853 explicit-midpoint forest-ruth gauss-6 implicit-midpoint
+    yoshida-6 dormand-prince heun suzuki-4 gauss-4 trapezoidal
+    yoshida-8 ruth-3 position-verlet kahan-li-8 discrete-gradient cieslinski-ratkiewicz
+`
+    .trim()
+    .split(/\s+/);
 const MARKERS = [
     'm-5,0a5,5 0 1,0 10,0a5,5 0 1,0 -10,0z',
     'm-4.6,-4.6h9.2v9.2h-9.2z',
@@ -95,20 +117,30 @@ function within(ink, { left, right, top, bottom }, draw) {
     ink.restore();
 }
 
-// The first methods of the library, the paper's four, have their colours to themselves: elsewhere
-// in the book, too, such a colour is that method. The others take turns in what is left, each in
-// the order in which it is chosen.
-const OWN_COLOURS = 4;
-const SHARED = ['--pendula-ochre', '--pendula-sky', '--pendula-ink', '--quiet'];
-
-// The colour, the marker and the dash of a method, the `turn`-th of those that share colours.
-function look({ number }, turn = number) {
+// The colour, the marker and the dash of a method; of one that is not in the list by its number.
+function look({ name, number }) {
+    const place = STYLED.indexOf(name),
+        index = place < 0 ? STYLED.length + number : place;
+    const shared = COLOURS.length - OWN_COLOURS;
+    const hue = index < OWN_COLOURS ? index : OWN_COLOURS + ((index - OWN_COLOURS) % shared);
     return {
-        colour:
-            number < OWN_COLOURS
-                ? `--pendula-${COLOURS[number]}`
-                : SHARED[turn % SHARED.length],
-        marker: MARKERS[number % MARKERS.length],
-        dash: DASHES[number % DASHES.length],
+        hue,
+        colour: `--pendula-${COLOURS[hue]}`,
+        marker: MARKERS[index % MARKERS.length],
+        dash: DASHES[index % DASHES.length],
     };
+}
+
+// The looks of some methods, of which no two have the same colour as long as there are others: the
+// first has its own.
+function looksOf(methods) {
+    const free = new Set(COLOURS.slice(OWN_COLOURS));
+    return methods.map(method => {
+        const own = look(method);
+        if (own.hue < OWN_COLOURS) return own;
+        const [next = COLOURS[own.hue]] = free;
+        const colour = free.has(COLOURS[own.hue]) ? COLOURS[own.hue] : next;
+        free.delete(colour);
+        return { ...own, colour: `--pendula-${colour}` };
+    });
 }

@@ -30,6 +30,8 @@ pub struct Evidence {
     pub tolerances: Vec<(f64, f64, Option<u64>)>,
     /// Of a solver: time (s) and error (rad) of the outputs along a run.
     pub outputs: Vec<(f64, f64)>,
+    /// The tolerance of that run, and the error (rad) beside the ends of its steps.
+    pub beside_steps: Option<(f64, f64)>,
 }
 
 /// What the judge found.
@@ -190,6 +192,7 @@ impl Report {
         self.advice.truncate(advice::MOST);
         self.evidence.tolerances = solver.evidence.tolerances;
         self.evidence.outputs = solver.evidence.outputs;
+        self.evidence.beside_steps = solver.evidence.beside_steps;
         self.conclude(!self.anything_claimed());
         self
     }

@@ -200,6 +200,7 @@ fn take_all(
     let drawn = |rung: &ladder::Rung| (rung.tolerance, rung.largest(), rung.evaluations);
     report.evidence.tolerances = ladder.rungs.iter().map(drawn).collect();
     let outputs = outputs.ok();
+    report.evidence.beside_steps = outputs.as_ref().and_then(|outputs| outputs.drawn);
     report.evidence.outputs =
         outputs.as_ref().map(|outputs| outputs.run.clone()).unwrap_or_default();
     report.departure = equation::departure(asked, &ladder);

@@ -37,8 +37,11 @@ struct Compared {
 #[derive(Clone, Debug)]
 pub struct Outputs {
     compared: Vec<Compared>,
-    /// The errors along one run: time (s) and error (rad).
+    /// The errors along one run: time (s) and error (rad). It's the run whose outputs are worst
+    /// beside its steps, if any are too bad, or else one at a usual tolerance.
     pub run: Vec<(f64, f64)>,
+    /// That run's tolerance, and the error beside the ends of its steps (rad).
+    pub drawn: Option<(f64, f64)>,
     /// Whether runs that end between the steps of a longer one are as bad there as its outputs.
     interpolated_end: bool,
     /// The degree of the polynomials on which outputs lie, where they are worse than steps.
@@ -55,10 +58,12 @@ impl Outputs {
         let mut outputs = Self {
             compared: Vec::new(),
             run: Vec::new(),
+            drawn: None,
             interpolated_end: false,
             degree: None,
             single: true,
         };
+        let mut runs = Vec::new();
         for rung in ladder.quick().step_by(2) {
             let request = asked.scenes.run(start, rung.tolerance).to(&times);
             let states = asked.reply(&request)?.states;
@@ -78,10 +83,9 @@ impl Outputs {
                 rounding: rung.rounding,
                 evaluations: rung.evaluations,
             });
-            if outputs.run.is_empty() || rung.tolerance >= 0.9 * ladder.usual() {
-                outputs.run = times.iter().copied().zip(errors).collect();
-            }
+            runs.push(errors);
         }
+        outputs.draw(&times, runs, ladder.usual());
         // A start that is returned again and again may be a number of any precision.
         outputs.single &= outputs.compared.iter().any(|it| it.outputs < SINGLE);
         // Of a solver in single precision they may be.
@@ -100,6 +104,19 @@ impl Outputs {
             outputs.degree = degree(asked, ladder)?;
         }
         Ok(outputs)
+    }
+
+    /// Chooses which of the runs is drawn.
+    fn draw(&mut self, times: &[f64], mut runs: Vec<Vec<f64>>, usual: f64) {
+        let worst = self.worst().filter(|(ratio, _)| *ratio > WORSE).map(|(_, it)| it.tolerance);
+        let is_drawn = |it: &Compared| match worst {
+            Some(tolerance) => it.tolerance == tolerance,
+            None => it.tolerance >= 0.9 * usual,
+        };
+        let place = self.compared.iter().rposition(is_drawn).unwrap_or(0);
+        let Some(it) = self.compared.get(place) else { return };
+        self.drawn = Some((it.tolerance, it.least));
+        self.run = times.iter().copied().zip(runs.swap_remove(place)).collect();
     }
 
     /// The tolerances, and the largest errors of outputs (rad).

@@ -11,6 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result, bail, ensure};
 use mdbook_driver::MDBook;
+use pendula::METHODS;
 use serde_json::Value;
 use tracing::field::Field;
 use tracing::span::{Attributes, Id, Record};
@@ -18,6 +19,7 @@ use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
 use crate::book::frame;
 use crate::book::ledger::Ledger;
+use crate::book::names;
 use crate::book::page_files;
 use crate::book::preprocess::Pendula;
 use crate::book::print;
@@ -90,7 +92,7 @@ fn driven(
     page_files::join(&pages, &html.additional_js)?;
     page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
-    each_page(&pages, |page| page_files::finished(&frame::page(page)?, &site))?;
+    each_page(&pages, |page| page_files::finished(&names::coloured(&frame::page(page)?), &site))?;
     let script = pages.join("book.js");
     fs::write(&script, frame::script(&files::text(&script)?)?)
         .with_context(|| script.display().to_string())?;
@@ -110,8 +112,8 @@ fn each_page(folder: &Path, change: impl Fn(&str) -> Result<String>) -> Result<(
 }
 
 /// Adds the known answers to a book that has the page for them: as they are, to be taken along, and
-/// as a script, since a page that is opened from a disk cannot fetch a file. The page asks about
-/// steps alone: the right-hand sides, a third of the file, are not in its script.
+/// as a script, since a page that is opened from a disk cannot fetch a file. In the script the
+/// methods of the library have the titles by which the book calls them.
 fn known_answers(root: &Path, pages: &Path) -> Result<()> {
     let assets = pages.join("assets");
     let page = assets.join("which");
@@ -120,7 +122,14 @@ fn known_answers(root: &Path, pages: &Path) -> Result<()> {
     }
     let file = root.join("judge/known-answers/known-answers.json");
     let json = files::text(&file)?;
-    let known: Value = serde_json::from_str(&json).with_context(|| file.display().to_string())?;
+    let mut known: Value =
+        serde_json::from_str(&json).with_context(|| file.display().to_string())?;
+    for method in known["methods"].as_array_mut().into_iter().flatten() {
+        let title = METHODS.iter().map(|known| known.info()).find(|it| method["name"] == it.name);
+        if let Some(info) = title {
+            method["title"] = info.title.into();
+        }
+    }
     let script = format!("globalThis.knownAnswers = {known};\n");
     for (name, text) in [("known-answers.json", &json), ("known-answers.js", &script)] {
         let to = assets.join(name);

@@ -13,6 +13,7 @@ pub mod build;
 mod frame;
 pub mod ledger;
 pub mod locate;
+mod names;
 mod page_files;
 pub mod preprocess;
 mod print;

@@ -180,7 +180,7 @@ impl<'o> Plot<'o> {
             let lines = panel.columns.iter().zip(lines).enumerate();
             figure.panel(lines.fold(chart, |chart, (index, ((_, name), line))| {
                 // Thousands of points: a dash for each line, and markers where they are few.
-                let style = Style::numbered(index);
+                let style = Style::series(index);
                 let few = line.points().count() <= 40;
                 let style = if few { style } else { style.line_only() };
                 chart.series(*name, style, line.points())

@@ -183,7 +183,7 @@ fn figures(report: &Report, claims: &Claims) -> Vec<String> {
         evidence.way.as_ref().and_then(|(out, back)| way(out, back)),
         tolerances(&evidence.tolerances),
         evaluations(&evidence.tolerances, Power::of(report, claims)),
-        outputs(&evidence.outputs),
+        outputs(&evidence.outputs, evidence.beside_steps),
     ];
     figures.into_iter().flatten().collect()
 }
@@ -200,9 +200,9 @@ fn framed(id: &str, figure: Figure, caption: &str) -> String {
 }
 
 /// What was measured.
-const MEASURED: Style = Style::numbered(0);
+const MEASURED: Style = Style::series(0);
 /// What it is compared with.
-const OTHER: Style = Style::numbered(1);
+const OTHER: Style = Style::series(1);
 
 /// The force that was found beside the sine, where it is another one.
 fn force(force: &[(f64, f64)]) -> Option<String> {
@@ -390,19 +390,24 @@ fn evaluations(tolerances: &[Tolerance], power: Option<Power>) -> Option<String>
     Some(drawn("evaluations", "Evaluations against tolerance", &caption, chart))
 }
 
-/// Error along a run, of a solver, at times between its steps.
-fn outputs(outputs: &[(f64, f64)]) -> Option<String> {
+/// Error along a run, of a solver, at times between its steps, beside what decides: the error at
+/// the ends of steps, and the tolerance.
+fn outputs(outputs: &[(f64, f64)], beside_steps: Option<(f64, f64)>) -> Option<String> {
     let some = outputs.iter().any(|(_, error)| *error > 0.0 && error.is_finite());
-    let chart = Chart::new(Axis::linear("t (s)"), Axis::log("error (rad)")).height(240.0).series(
-        "",
-        MEASURED.line_only().solid(),
-        outputs.iter().copied(),
-    );
-    let caption = format!(
-        "Error of {} states along a run, most of them between two steps. Where the line rises and \
-         falls from step to step, states between steps are worse than those at their ends.",
-        outputs.len()
-    );
+    let (from, to) = (outputs.first()?.0, outputs.last()?.0);
+    let level = |height: f64| [(from, height), (to, height)];
+    let mut chart = Chart::new(Axis::linear("t (s)"), Axis::log("error (rad)")).height(240.0);
+    let mut caption = format!("Error of {} states along a run", outputs.len());
+    if let Some((tolerance, steps)) = beside_steps {
+        caption += &format!(" with the tolerance {}", scientific(tolerance));
+        chart = chart.series("the tolerance", Style::REFERENCE.dashed(), level(tolerance));
+        if steps > 0.0 && steps.is_finite() {
+            chart = chart.series("at the ends of steps", Style::REFERENCE, level(steps));
+        }
+    }
+    chart = chart.series("all", MEASURED.line_only().solid(), outputs.iter().copied());
+    caption += ", most of them between two steps. Where the line rises far above the error at the \
+                ends of steps, states between steps are worse than the steps.";
     some.then(|| drawn("outputs", "Error along a run", &caption, chart))
 }
 
@@ -498,13 +503,14 @@ mod tests {
 
     /// Catches: a figure of a solver that is left out, or is drawn of what is not counted; the
     /// slope of another power than that which is claimed, or was found where none is; a slope that
-    /// rises.
+    /// rises; outputs without the error that they are compared with, or its tolerance.
     #[test]
     fn what_a_solver_does_is_drawn() {
         let mut report = Report::default();
         report.evidence.tolerances =
             vec![(1e-3, 1e-2, Some(32)), (1e-5, 1e-4, Some(320)), (1e-7, 0.0, None)];
         report.evidence.outputs = vec![(0.0, 0.0), (1.0, 1e-3), (2.0, 1e-4)];
+        report.evidence.beside_steps = Some((1e-7, 2e-8));
         let mut estimate = Finding::default();
         (estimate.property, estimate.values) = (Property::Estimate, vec![2.04]);
         report.findings = vec![estimate];
@@ -519,7 +525,9 @@ mod tests {
             assert!(evaluations.contains("id=\"fig-evaluations\""), "{evaluations}");
             assert!(evaluations.contains(slope), "{evaluations}");
             assert!(outputs.contains("id=\"fig-outputs\""), "{outputs}");
-            assert!(outputs.contains("Error of 3 states along a run"), "{outputs}");
+            assert!(outputs.contains("Error of 3 states along a run with the"), "{outputs}");
+            assert!(outputs.contains("1 × 10⁻⁷, most"), "{outputs}");
+            assert!(outputs.contains("at the ends of steps</text>"), "{outputs}");
         }
         report.findings.clear();
         assert!(!figures(&report, &Claims::none())[1].contains("slope"));

@@ -1,8 +1,8 @@
 //! The work–precision figure, with the front of each scene: what no other method reaches sooner.
 
-use pendula::METHODS;
 use pendula_study::charts::{Axis, Chart, Figure, Style};
 use pendula_study::experiments::MethodRef;
+use pendula_study::report::figures::style;
 
 use super::{Curve, Measured, Measurement, Problem, SCENES};
 
@@ -49,8 +49,7 @@ fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
     }
     for part in front(&curves) {
         let title = part.method.info().title;
-        let index = METHODS.iter().position(|method| method.info().title == title);
-        let style = Style::numbered(index.unwrap_or(0)).line_only().solid().bold();
+        let style = style(part.method).line_only().solid().bold();
         let middle = part.middle();
         chart = chart.series("", style, part.points);
         if let Some((seconds, error)) = middle {
@@ -125,6 +124,8 @@ fn line(points: &[Measurement], parts: u32) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use pendula::METHODS;
+
     use super::*;
 
     /// A curve of a method through these times (s) and errors (rad), step by halved step.

@@ -102,7 +102,9 @@
         constructor({ scenes, equations, methods, mistakes }) {
             this.scenes = scenes;
             const wrong = methods.flatMap(method => onWrongEquations(method, equations));
-            this.entries = [...methods, ...mistakes].map(entry => {
+            // Those of the library, which have titles, are the likeliest.
+            const likely = [...methods].sort((a, b) => Boolean(b.title) - Boolean(a.title));
+            this.entries = [...likely, ...mistakes].map(entry => {
                 const answers = entry.answers.map(({ scene, steps, ...rest }) => [
                     `${scene}-${steps}`,
                     answer(rest),

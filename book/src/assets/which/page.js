@@ -37,7 +37,10 @@
         const each = values.map((value, i) => span(`${NAMES[i]} ${minus(value)}`));
         return markup`<span class="both">${each}</span>`;
     };
-    const titled = name => (CHAPTERS.includes(name) ? link(`${name}.html`, name) : name);
+    // What an entry is called: as the book calls it, and as the library and the file do.
+    const called = ({ name, title }) => (title ? `${title} (${name})` : name);
+    const titled = entry =>
+        CHAPTERS.includes(entry.name) ? link(`${entry.name}.html`, called(entry)) : called(entry);
 
     // The address of this input.
     const address = (precision, pairs) =>
@@ -289,19 +292,21 @@
                 methods = [...new Set(found.map(one => one.entry.of))];
             if (isWrong) return `the equation is wrong: ${what}; ${this.oneOf(methods, 'method')}`;
             if (found.length > 1) return this.oneOf(found.map(one => one.entry.name), 'entry');
-            return `it is ${isMistake(entry) ? `${entry.of} with a mistake` : entry.name}`;
+            if (!isMistake(entry)) return `it is ${called(entry)}`;
+            return `it is ${called(this.known.named(entry.of))} with a mistake`;
         }
 
         oneOf(names, kind) {
-            const all = kind === 'method' ? 'methods' : 'entries';
-            if (names.length > IN_FULL) return `${count(names.length)} ${all} fit`;
-            if (names.length === 1) return `the ${kind} is ${names[0]}`;
-            return `it is one of: ${listed(names)}`;
+            const kinds = kind === 'method' ? 'methods' : 'entries';
+            if (names.length > IN_FULL) return `${count(names.length)} ${kinds} fit`;
+            const all = names.map(name => called(this.known.named(name)));
+            if (names.length === 1) return `the ${kind} is ${all[0]}`;
+            return `it is one of: ${listed(all)}`;
         }
 
         some(found) {
             if (found.length > IN_FULL) return `one of ${count(found.length)} entries`;
-            return listed(found.map(({ entry }) => entry.name));
+            return listed(found.map(({ entry }) => called(entry)));
         }
 
         hint([what, fits, other], key, pair) {
@@ -353,7 +358,7 @@
                     ['what was done', entry.what],
                     ['solves', entry.equation],
                     ['effect', entry.effect],
-                    ['a mistake in', isMistake(entry) && titled(entry.of)],
+                    ['a mistake in', isMistake(entry) && titled(this.known.named(entry.of))],
                     ['seen', zoo ? [seen, link('judging.html#the-zoo', zoo)] : seen],
                     ['how', entry.note],
                     ['off by', agrees && `${about(epsilons)} ε; ${most} ε are allowed`],
@@ -367,7 +372,7 @@
                 ];
                 const section = markup`
                     <section>
-                        <p><strong>${titled(entry.name)}</strong></p><dl>${rows.flatMap(each)}</dl>
+                        <p><strong>${titled(entry)}</strong></p><dl>${rows.flatMap(each)}</dl>
                     </section>`;
                 section.ariaLabel = entry.name;
                 return section;

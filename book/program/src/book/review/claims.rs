@@ -123,6 +123,22 @@ pub fn quotes(folder: &Path, before: &[Claim], now: &[Claim]) -> Result<Vec<Quot
     Ok(quotes)
 }
 
+/// What the questions in the chapters of `folder` ask, by their ids.
+pub fn asked(folder: &Path) -> Result<BTreeMap<String, String>> {
+    static QUESTION: Pattern = Pattern::new(|| pattern(r"(?ms)^```question\n(.*?)^```$"));
+    let mut asked = BTreeMap::new();
+    for path in files::with_extension(folder, "md")? {
+        let text = files::text(&folder.join(&path))?;
+        for found in QUESTION.captures_iter(&text) {
+            // What is no question stops the building of the book, and not a review.
+            let Ok(question) = toml::from_str::<toml::Table>(&found[1]) else { continue };
+            let of = |name: &str| question.get(name)?.as_str().map(str::to_string);
+            asked.extend(of("id").zip(of("ask")));
+        }
+    }
+    Ok(asked)
+}
+
 /// The lines of a chapter, without those in code, in tables and in HTML.
 fn of_chapter(chapter: &str, text: &str, before: &[Claim], now: &[Claim]) -> Vec<Quote> {
     let (mut code, mut quotes) = (false, Vec::new());
@@ -214,6 +230,18 @@ mod tests {
             let is_said = error.contains("corrupt") || error.contains("older than this program");
             assert!(error.contains(name) && is_said, "{error}");
         }
+    }
+
+    /// Catches: a question that is called by its id alone, or by another's words.
+    #[test]
+    fn a_question_is_called_by_what_it_asks() {
+        let folder = tempfile::tempdir().unwrap();
+        let chapter = "Text.\n\n```question\nid=\"a-b\"\nask=\"How much?\"\n\n[[choice]]\nis=\"x\"\n```\n\n\
+                       ```question\nid=\n```\n\n```question\nid=\"c\"\nask=\"Why?\"\n```\n";
+        std::fs::write(folder.path().join("a.md"), chapter).unwrap();
+        let asked = asked(folder.path()).unwrap();
+        let expected = [("a-b", "How much?"), ("c", "Why?")];
+        assert_eq!(asked.iter().map(|(id, ask)| (&id[..], &ask[..])).collect::<Vec<_>>(), expected);
     }
 
     fn quoted(chapter: &str) -> Vec<Quote> {

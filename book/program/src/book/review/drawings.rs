@@ -14,6 +14,8 @@ pub struct Difference {
     /// The largest distance (px, of 600 across the figure) from a point of either drawing to the
     /// nearest of the other.
     pub displacement: f64,
+    /// Where that point is.
+    pub place: Option<Point>,
     /// What else differs, in sentences.
     pub notes: Vec<String>,
     /// Whether a reader can see it.
@@ -21,7 +23,7 @@ pub struct Difference {
 }
 
 /// A point (px).
-type Point = (f64, f64);
+pub type Point = (f64, f64);
 /// A line through points; a dot is a line of one point, and so is the place of a label.
 type Stroke = Vec<Point>;
 
@@ -42,12 +44,17 @@ pub fn compare(old: &str, new: &str) -> Difference {
         notes.push("its parts stand in another order".to_string());
     }
     let mut displacement = 0.0_f64;
+    let mut place = None;
     for (part, before) in &old.strokes {
         // Where there are more or fewer now a note says so.
         let after = new.strokes.get(part).filter(|now| now.len() == before.len());
         for (a, b) in before.iter().zip(after.into_iter().flatten()) {
-            let by = one_way(a, b).max(one_way(b, a));
+            let ((there, from), (back, to)) = (one_way(a, b), one_way(b, a));
+            let (by, at) = if there > back { (there, from) } else { (back, to) };
             if by.is_finite() {
+                if by > displacement {
+                    place = Some(at);
+                }
                 displacement = displacement.max(by);
             } else {
                 notes.push("of two lines one is empty".to_string());
@@ -55,7 +62,7 @@ pub fn compare(old: &str, new: &str) -> Difference {
         }
     }
     let visible = !notes.is_empty() || displacement >= VISIBLE;
-    Difference { displacement, notes, visible }
+    Difference { displacement, place, notes, visible }
 }
 
 /// The elements that are read as they are written, with all that stands in them.
@@ -177,13 +184,17 @@ fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// The largest distance from a corner of `a` to the nearest point of `b`.
-fn one_way(a: &[Stroke], b: &[Stroke]) -> f64 {
+/// The largest distance from a corner of `a` to the nearest point of `b`, and that corner.
+fn one_way(a: &[Stroke], b: &[Stroke]) -> (f64, Point) {
     let bits = |p: &Point| (p.0.to_bits(), p.1.to_bits());
     // Most corners have not moved at all.
     let known: HashSet<_> = b.iter().flatten().map(bits).collect();
     let moved = a.iter().flatten().filter(|p| !known.contains(&bits(p)));
-    moved.map(|p| distance(*p, b)).fold(0.0, f64::max)
+    let farthest = |most: (f64, Point), p: &Point| {
+        let distance = distance(*p, b);
+        if distance > most.0 { (distance, *p) } else { most }
+    };
+    moved.fold((0.0, Point::default()), farthest)
 }
 
 /// The distance from `p` to the nearest point of the strokes.

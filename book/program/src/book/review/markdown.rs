@@ -41,11 +41,6 @@ impl Document {
         }));
         let [before, now] = &review.versions;
         document.paragraph(&prose(&format!("Before: {before}. Now: {now}.")));
-        if !review.recorded.is_empty() {
-            let names = code(&review.recorded);
-            let text = "Not computed, but compared as their files stand:";
-            document.paragraph(&format!("{text} {names}."));
-        }
         document.changes(review)?;
         document.claims(&review.claims);
         document.figures(&review.figures);
@@ -57,6 +52,11 @@ impl Document {
         if !good.is_empty() {
             document.heading(2, "As it should be");
             document.list(good);
+        }
+        if !review.recorded.is_empty() {
+            let names = code(&review.recorded);
+            let text = "Not computed, but compared as their files stand:";
+            document.paragraph(&format!("{text} {names}."));
         }
         document.accept(review, said.iter().any(|(weight, _)| *weight == Weight::Alarm));
         Ok(document)

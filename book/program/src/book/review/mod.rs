@@ -16,7 +16,7 @@ use pendula_study::report::snapshots::Kind;
 use pendula_study::report::table::Quantity;
 
 use self::cells::{Cell, differences};
-use self::claims::{Claim, Quote, claims, find, quotes, table};
+use self::claims::{Claim, Quote, asked, claims, find, quotes, table};
 use self::drawings::Difference;
 use self::groups::Group;
 use self::source::Code;
@@ -141,6 +141,12 @@ impl Review {
         cells.extend(cells_of(Kind::Recorded)?);
         // Verdicts are shown with their claims.
         cells.retain(|cell| !cell.is(Quantity::Verdict));
+        let asked = asked(chapters)?;
+        for cell in cells.iter_mut().filter(|cell| cell.snapshot == "questions") {
+            if let Some(ask) = asked.get(&cell.id) {
+                cell.label = format!("{} ({})", cell.label.replacen(&cell.id, ask, 1), cell.id);
+            }
+        }
         let mut bits: Vec<String> =
             cells_of(Kind::Hashes)?.into_iter().map(|cell| cell.id).collect();
         bits.dedup();

@@ -8,6 +8,7 @@ use pulldown_cmark::html::push_html;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Figure;
+use super::drawings::{self, Difference};
 use super::markdown::Document;
 use crate::output::files::whole_file::{self, Change};
 use crate::output::files::{canonicalize, create_folder};
@@ -138,6 +139,7 @@ pub fn figure(figure: &Figure) -> String {
     let name = escaped(&figure.name);
     let drawing = |version: usize, class: &str, word: &str| {
         let drawing = apart(figure.drawings[version].as_ref()?, &figure.name, class);
+        let drawing = ringed(&drawing, figure.difference.as_ref());
         Some(format!("<div class=\"{class}\"><p class=\"version\">{word}</p>{drawing}</div>"))
     };
     let drawn: Vec<String> =
@@ -153,6 +155,18 @@ pub fn figure(figure: &Figure) -> String {
     let modes = mode("beside", "side by side", " checked") + &mode("over", "overlaid", "");
     let modes = format!("<fieldset><legend>{name}</legend>{modes}</fieldset>");
     format!("<div class=\"compare\">{modes}{stage}</div>\n")
+}
+
+/// The drawing with a ring around the point that moved farthest, where one can see it.
+fn ringed(drawing: &str, difference: Option<&Difference>) -> String {
+    let moved = difference.filter(|difference| difference.displacement >= drawings::VISIBLE);
+    let (Some((x, y)), Some((before, after))) =
+        (moved.and_then(|difference| difference.place), drawing.rsplit_once("</svg>"))
+    else {
+        return drawing.to_string();
+    };
+    let ring = format!(r#"<circle class="ring" cx="{x}" cy="{y}" r="24"/>"#);
+    format!("{before}{ring}\n</svg>{after}")
 }
 
 /// The drawing with ids and classes of its own, so that two versions of it can stand on one page.

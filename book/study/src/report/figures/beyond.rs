@@ -48,7 +48,7 @@ pub(super) fn poincare(_: &Study, figure: Figure) -> Figure {
     let dots = beyond::poincare(STATES);
     let chart = phase_plane((-PI, PI), (-10.0, 30.0)).height(360.0).series(
         "",
-        Style::numbered(1).dots(),
+        Style::series(1).dots(),
         dots.into_iter().map(|z| (z.theta, z.omega)),
     );
     figure.panel(chart)
@@ -71,8 +71,8 @@ pub(super) fn separation(_: &Study, figure: Figure) -> Figure {
     let double = beyond::equals();
     let run = |theta| beyond::separation(&double, theta, 1e-9, (0.002, 10_000));
     let chart = Chart::new(Axis::linear("t (s)").range(0.0, 20.0), Axis::log("distance (rad)"))
-        .series("released at 2 and 2.5 rad", Style::numbered(0).line_only(), run([2.0, 2.5]))
-        .series("released at 0.2 and 0.25 rad", Style::numbered(1).line_only(), run([0.2, 0.25]));
+        .series("released at 2 and 2.5 rad", Style::series(0).line_only(), run([2.0, 2.5]))
+        .series("released at 0.2 and 0.25 rad", Style::series(1).line_only(), run([0.2, 0.25]));
     figure.panel(chart)
 }
 
@@ -96,12 +96,8 @@ pub(super) fn kapitza(_: &Study, figure: Figure) -> Figure {
     .height(330.0)
     .series("stable by Mathieu's curves", Style::REFERENCE.filled(), region)
     .series("Kapitza's rule, aΩ = √(2gL)", Style::REFERENCE.dashed(), kapitza)
-    .series("stands", Style::numbered(2).markers_only(), stands.into_iter().map(at))
-    .series(
-        "falls over or rocks",
-        Style::numbered(5).markers_only(),
-        leaves.into_iter().map(at),
-    );
+    .series("stands", Style::series(2).markers_only(), stands.into_iter().map(at))
+    .series("falls over or rocks", Style::series(5).markers_only(), leaves.into_iter().map(at));
     figure.panel(chart)
 }
 
@@ -114,8 +110,8 @@ pub(super) fn double_pendulum_trace(_: &Study, figure: Figure) -> Figure {
     let (one, other) = (path(2.0), path(2.01));
     let [joint, bob] = double.bobs(one[0].1);
     let chart = plane((-2.4, 2.4), (-2.1, 1.5))
-        .series("from 2 rad", Style::numbered(0).line_only(), one.iter().map(lower))
-        .series("from 2.01 rad", Style::numbered(1).line_only(), other.iter().map(lower))
+        .series("from 2 rad", Style::series(0).line_only(), one.iter().map(lower))
+        .series("from 2.01 rad", Style::series(1).line_only(), other.iter().map(lower))
         .series("rods at the start", Style::REFERENCE, [(0.0, 0.0), joint, bob])
         .series("", Style::TRUE_POINT, [(0.0, 0.0), joint, bob]);
     figure.panel(chart)

@@ -2,7 +2,7 @@
 
 use pendula::METHODS;
 
-use super::{named, style, title};
+use super::{area, named, style, title};
 use crate::charts::{Axis, Cell, Chart, Figure, Fill, Map, Name};
 use crate::digits::Digits;
 use crate::experiments::{MethodRef, PaperMethod, Study, choosing};
@@ -95,8 +95,7 @@ fn regions(theta_0: f64) -> Chart {
     columns.dedup();
     let rows: Vec<f64> = map[..map.len() / columns.len()].iter().map(|cell| cell.allowed).collect();
     let (x, y) = (edges(&columns), edges(&rows));
-    let named = ordered.iter().enumerate();
-    let named = named.map(|(i, method)| (title(*method), Fill::Colour(i)));
+    let named = ordered.iter().map(|method| (title(*method), Fill::Colour(area(*method))));
     let lost = ("lost in rounding", Fill::Paper);
     let names = named.chain([lost]).map(|(title, fill)| Name { title: title.into(), fill });
     let ends = |edges: &[f64]| (edges[0], edges[edges.len() - 1]);

@@ -16,7 +16,7 @@ use pendula::methods::{ForwardEuler, StormerVerlet, SymplecticEuler};
 use pendula::{METHODS, method_named};
 use serde::Deserialize;
 
-use crate::charts::{Axis, Chart, Figure, Style, wrapped};
+use crate::charts::{Axis, Chart, Figure, Style, area_of, wrapped};
 use crate::experiments::{MethodRef, Study, in_paper};
 
 /// A figure of the book.
@@ -153,46 +153,57 @@ fn phase_plane(theta: (f64, f64), omega: (f64, f64)) -> Chart {
 }
 
 /// Methods in the order of their styles: by name, so that a method which comes into the library
-/// repaints no other.
+/// repaints no other. The paper's four come first, then those of the maps, each with a hue; of the
+/// others, those that meet in a figure have different ones. The lab has the same list.
 const STYLED: [&str; 28] = [
     "forward-euler",
     "symplectic-euler",
     "rk4",
     "stormer-verlet",
-    "explicit-midpoint",
-    "heun",
-    "position-verlet",
-    "ruth-3",
-    "forest-ruth",
-    "suzuki-4",
-    "blanes-moan-srkn-6b",
-    "yoshida-6",
     "blanes-moan-6",
-    "yoshida-8",
-    "kahan-li-8",
-    "dormand-prince",
-    "dop853",
-    "implicit-midpoint",
-    "trapezoidal",
-    "gauss-4",
-    "gauss-6",
+    "taylor-24",
+    "processed-6",
+    "deuflhard",
     "gauss-16",
+    "processed-4",
+    "blanes-moan-srkn-6b",
+    "dop853",
+    "explicit-midpoint",
+    "forest-ruth",
+    "gauss-6",
+    "implicit-midpoint",
+    "yoshida-6",
+    "dormand-prince",
+    "heun",
+    "suzuki-4",
+    "gauss-4",
+    "trapezoidal",
+    "yoshida-8",
+    "ruth-3",
+    "position-verlet",
+    "kahan-li-8",
     "discrete-gradient",
     "cieslinski-ratkiewicz",
-    "deuflhard",
-    "processed-4",
-    "processed-6",
-    "taylor-24",
 ];
 
-/// The style of a method, the same in every figure. Those that are not in [`STYLED`] come after it,
-/// in the order of the library's list.
-pub(super) fn style(method: MethodRef) -> Style {
+/// The place of a method in the order of styles. Those that are not in [`STYLED`] come after it, in
+/// the order of the library's list.
+fn styled(method: MethodRef) -> usize {
     let name = method.info().name;
     let place = |name: &str| STYLED.iter().position(|styled| *styled == name);
     let others = || METHODS.iter().map(|it| it.info().name).filter(|name| place(name).is_none());
     let index = place(name).or_else(|| Some(STYLED.len() + others().position(|it| it == name)?));
-    Style::numbered(index.unwrap_or(0))
+    index.unwrap_or(0)
+}
+
+/// The style of a method, the same in every figure.
+pub fn style(method: MethodRef) -> Style {
+    Style::numbered(styled(method))
+}
+
+/// The colour of a method's area: of the same hue.
+fn area(method: MethodRef) -> usize {
+    area_of(styled(method)).unwrap_or_else(|| panic!("no area is {}'s", title(method)))
 }
 
 /// The rows of the methods that the paper compares: its figures do not change as the list of
@@ -212,6 +223,20 @@ fn named(name: &str) -> MethodRef {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::experiments::PaperMethod;
+
+    /// Catches: a method that the lab shows in another colour, or with another marker, than the
+    /// figures.
+    #[test]
+    fn the_lab_has_methods_in_the_same_order() {
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../theme/lab/sheet.js");
+        let script = std::fs::read_to_string(script).unwrap();
+        let list = script.split_once("STYLED = `").and_then(|(_, rest)| rest.split_once('`'));
+        let list: Vec<&str> = list.unwrap().0.split_whitespace().collect();
+        assert_eq!(list, STYLED);
+        let papers = PaperMethod::ALL.map(|method| styled(named(method.name())));
+        assert!(papers.iter().all(|place| *place < 4), "{papers:?}");
+    }
 
     /// Catches: the words of a figure that is not drawn any more, and a figure drawn twice.
     #[test]

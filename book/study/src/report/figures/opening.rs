@@ -83,8 +83,7 @@ pub(super) fn forces(_: &Study, figure: Figure) -> Figure {
     let radius = 0.4 * length;
     let arc = spread(0.0, theta - 0.25, 20).chain([theta]).map(|angle| at(radius, angle));
     let path = spread(-0.5, 1.2, 60).map(|angle| at(length, angle));
-    // None of these colours is that of a method of the paper.
-    let (driving, held) = (Style::numbered(4).arrow(), Style::numbered(5).arrow());
+    let (driving, held) = (Style::series(0).arrow(), Style::series(1).arrow());
     let chart = Chart::sketch((-0.65, 1.45), (-1.4, 0.12))
         .series("", Style::GUIDE, path)
         .series("θ = 0", Style::GUIDE, [(0.0, 0.0), at(1.25 * length, 0.0)])
