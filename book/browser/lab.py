@@ -140,6 +140,30 @@ def test_opening(tab, lab):
     assert lab.run(far) == []
 
 
+# From where to where a part of the lab is.
+BOXES = """['bench', 'beside', 'rest', 'settings'].map(name => {
+    const {left, right, top, bottom} = all(`.${name}`)[0].getBoundingClientRect();
+    return {left, right, top, bottom};
+})"""
+
+
+def test_room(tab):
+    """On a wide screen what can be set stands beside the pictures, right below the lesson; on a
+    narrow one everything stands below one another. Nothing lies on anything."""
+    lab = Lab(tab)
+    for width in [1440, 1280, 768, TELEPHONE]:
+        tab.screen(width)
+        lab.open()
+        bench, beside, rest, controls = lab.run(BOXES)
+        if width >= 1280:
+            assert controls["left"] > rest["right"] and rest["top"] >= bench["bottom"], width
+            assert 0 <= controls["top"] - beside["bottom"] < 40, width
+        else:
+            order = [bench, beside, rest, controls]
+            assert all(a["bottom"] <= b["top"] for a, b in zip(order, order[1:])), width
+    tab.screen(DESK)
+
+
 def test_teachers(lab):
     """The stopwatch takes the pendulums' own time, gravity is found by its place, and the bars of
     energy are drawn where there is one bob."""

@@ -2,6 +2,7 @@
 stands below it."""
 
 import json
+import re
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -54,9 +55,12 @@ def crates() -> list[str]:
 
 
 def test_copied(tab, book, tmp_path):
-    """Catches a listing that needs a line that is not copied with it."""
+    """Catches a listing that needs a line that is not copied with it, and one whose `main` is not
+    indented."""
     found = copied(tab, book)
     assert len(found) >= 30
+    margin = [place for place, program, _ in found if re.search(r"^fn main.*\{\n\S", program, re.M)]
+    assert margin == []
     options = crates()
 
     def run(n: int) -> str | None:

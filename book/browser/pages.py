@@ -30,6 +30,8 @@ ACCEPTED = {
     # style sheets need it before them.
     ("region", "#mdbook-sidebar-toggle-anchor"),
 }
+# The whole book on paper, without breaks before chapters. With the tests and the reports it had 899.
+SHEETS = 310
 # The contents as mdBook shows them in a frame, where there are no scripts. It is no page by itself.
 FRAMED = "toc.html"
 NOT_FRAMED = {"document-title", "landmark-one-main", "page-has-heading-one", "region"}
@@ -129,6 +131,12 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
     solutions = "[...document.querySelectorAll('main details:not(.answer, .defect) > :last-child')]"
     if not tab.run(solutions + ".every(last => last.checkVisibility())"):
         findings.append("a solution is folded away")
+    # A4 has 1047 CSS pixels between margins of a centimetre.
+    sheets = tab.run("document.documentElement.scrollHeight") / 1047
+    findings += [f"{sheets:.0f} sheets"] if sheets > SHEETS else []
+    broken = tab.run("""[...document.querySelectorAll('.question')].filter(it =>
+        getComputedStyle(it).breakInside !== 'avoid' || it.offsetHeight > 1047).length""")
+    findings += [f"{broken} questions may be broken by a page's end"] if broken else []
     text = tab.run("document.querySelector('main').textContent.replace(/\\s+/g, ' ')")
     for page, (title, last) in ends.items():
         findings += [f"lacks {page}: {title}"] if title not in titles else []

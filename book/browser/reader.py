@@ -106,9 +106,42 @@ def test_contents(tab, book):
     assert tab.arrives(lambda page: page == "order.html")
 
 
+# The least contrast of mdBook's signs with what is behind them; WCAG 2.2, 1.4.11 asks for 3.
+SIGNS = """() => {
+    const ink = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const light = colour => {
+        ink.fillStyle = colour;
+        ink.fillRect(0, 0, 1, 1);
+        const [r, g, b] = [...ink.getImageData(0, 0, 1, 1).data].map(byte => {
+            const c = byte / 255;
+            return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+        });
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
+    };
+    const ground = one => {
+        const colour = getComputedStyle(one).backgroundColor;
+        return /, 0\\)$|transparent/.test(colour) && one.parentElement
+            ? ground(one.parentElement) : colour;
+    };
+    const signs = '.icon-button, .nav-chapters, .mobile-nav-chapters, .menu-title';
+    return Math.min(...[...document.querySelectorAll(signs)].map(sign => {
+        const [a, b] = [light(getComputedStyle(sign).color), light(ground(sign))];
+        return Math.max(a / b, b / a);
+    }));
+}"""
+# The colours of the paper's methods: of their lines, and of their names in the text.
+NAMED = """['forward-euler', 'symplectic-euler', 'rk4', 'stormer-verlet'].map(name => {
+    const style = getComputedStyle(document.querySelector(`main .of-${name}`));
+    return [style.getPropertyValue('--line').trim(), style.color];
+})"""
+# The colours of the figures, as written.
+LINES = """['vermilion', 'blue', 'green', 'purple'].map(name =>
+    getComputedStyle(document.documentElement).getPropertyValue(`--pendula-${name}`).trim())"""
+
+
 def test_themes(tab):
     """Each theme, chosen as a reader does: it comes, stays on the next page, differs from the
-    others, and its text and figures can be read."""
+    others, and its text, its signs and its figures can be read."""
     tab.open(CHAPTER)
     grounds = set()
     for theme in THEMES:
@@ -118,7 +151,21 @@ def test_themes(tab):
         assert tab.run(f"document.documentElement.classList.contains('{theme}')")
         grounds.add(tab.run("getComputedStyle(document.documentElement).backgroundColor"))
         assert look(tab)["findings"] == [], theme
+        # mdBook's signs change their colour slowly.
+        assert tab.comes(f"({SIGNS})() >= 3"), (theme, tab.run(SIGNS))
     assert len(grounds) == len(THEMES)
+
+
+def test_names(tab):
+    """In the text each of the paper's methods has a colour of its own, the one of its line in the
+    figures."""
+    tab.open("long-run.html")
+    for theme in THEMES:
+        tab.theme(theme)
+        text = "getComputedStyle(document.querySelector('main p')).color"
+        names = tab.run(NAMED)
+        assert len({tab.run(text), *(colour for _, colour in names)}) == 5, (theme, names)
+        assert [line for line, _ in names] == tab.run(LINES), theme
 
 
 # What has the focus, and whether it (or the label that stands for it) looks otherwise than without.

@@ -228,7 +228,8 @@ impl Style {
 
     /// One path with a dot at each of the points.
     pub(super) fn dotted(self, points: Vec<Point>) -> String {
-        path::element(&self.class("line"), &path::dots(points))
+        let kind = if self.weight == Weight::Bold { "line bold" } else { "line" };
+        path::element(&self.class(kind), &path::dots(points))
     }
 
     /// The attribute `class` of what is of this `kind`.

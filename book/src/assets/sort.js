@@ -92,7 +92,11 @@
         const heads = [...table.tHead.rows[0].cells];
         const names = heads.map(head => head.textContent.trim());
         for (const row of table.tBodies[0].rows)
-            [...row.cells].forEach((cell, column) => { cell.dataset.label = names[column]; });
+            [...row.cells].forEach((cell, column) => {
+                cell.dataset.label = names[column];
+                // On a card, what is not there needs no line.
+                cell.classList.toggle('none', cell.textContent.trim() === '–');
+            });
         filters(table, names);
         heads.forEach((head, column) => {
             const button = Object.assign(document.createElement('button'), {type: 'button'});

@@ -149,8 +149,8 @@ class Page {
                             ${this.reading.box}
                         </div>
                         ${whole ? lab.pin.live : []}
-                        ${this.controls.live}
                     </div>`}
+                    ${hero ? [] : markup`<div class="settings">${this.controls.live}</div>`}
                 </div>
                 <div class="below">
                     ${hero ? [] : this.numbers.table}

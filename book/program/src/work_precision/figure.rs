@@ -1,6 +1,6 @@
 //! The work–precision figure, with the front of each scene: what no other method reaches sooner.
 
-use pendula_study::charts::{Axis, Chart, Figure, Style};
+use pendula_study::charts::{Axis, Chart, Figure};
 use pendula_study::experiments::MethodRef;
 use pendula_study::report::figures::style;
 
@@ -39,13 +39,14 @@ fn chart(measured: &Measured, scene: &Problem, time: Axis) -> Chart {
         measured.curves.iter().filter(|curve| curve.scene == *scene).collect();
     for Curve { method, points, .. } in &curves {
         let (info, line) = (method.info(), line(points, 1));
-        chart = match (info.name, points.last()) {
-            // What a reader knows, for comparison.
-            ("rk4", Some(last)) => {
-                chart.series("", Style::REFERENCE, line).note(last.seconds, last.error, info.title)
-            }
-            _ => chart.background(info.title, line),
-        };
+        chart =
+            match (info.name, points.last()) {
+                // What a reader knows, for comparison.
+                ("rk4", Some(last)) => chart
+                    .series("", style(*method).line_only().solid(), line)
+                    .note(last.seconds, last.error, info.title),
+                _ => chart.background(info.title, line),
+            };
     }
     for part in front(&curves) {
         let title = part.method.info().title;

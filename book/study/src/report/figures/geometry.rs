@@ -336,8 +336,8 @@ pub(super) fn cat(_: &Study, figure: Figure) -> Figure {
         shape: CAT,
         place: CAT_AT,
         pieces: CAT_PIECES,
-        theta: (-3.2, 3.2),
-        omega: (-7.5, 7.5),
+        theta: (-3.2, 2.0),
+        omega: (-6.2, 6.8),
         says_times: false,
     };
     cat.by_each(figure)

@@ -71,8 +71,8 @@ fn beside_usual(property: &str, what: &str) -> Chart {
         Axis::log(what).range(1e-10, 100.0),
     )
     .height(320.0)
-    .series("the same", Style::REFERENCE.dashed(), line)
-    .series("solvers", Style::series(1).markers_only(), points)
+    .series("as forwards", Style::REFERENCE.dashed(), line)
+    .series("solvers", Style::series(0).dots().bold(), points)
 }
 
 /// The numbers of each line of this report's output that begins so.
@@ -132,7 +132,7 @@ pub(super) fn outputs(_: &Study, figure: Figure) -> Figure {
 
 /// The error of runs backwards beside that of runs forward.
 pub(super) fn back(_: &Study, figure: Figure) -> Figure {
-    figure.panel(beside_usual("back", "of runs back (rad)"))
+    figure.panel(beside_usual("back", "error of runs back (rad)"))
 }
 
 /// The error against the tolerance, with a clock that runs ahead and with a right one.
