@@ -93,12 +93,19 @@ fn driven(
     page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
     let site = html.site_url.unwrap_or_default();
     each_page(&pages, |page| page_files::finished(&names::coloured(&frame::page(page)?), &site))?;
-    let script = pages.join("book.js");
-    fs::write(&script, frame::script(&files::text(&script)?)?)
-        .with_context(|| script.display().to_string())?;
+    mend_script(&pages)?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(&new)?.to_path_buf();
     Ok(Built { folder, pages })
+}
+
+/// Mends mdBook's script, whose name may have a hash in it.
+fn mend_script(pages: &Path) -> Result<()> {
+    let is_it = |name: &str| name.starts_with("book") && name.ends_with(".js");
+    let named = |path: &PathBuf| path.file_name().is_some_and(|it| is_it(&it.to_string_lossy()));
+    let script = files::list(pages)?.into_iter().find(named).context("mdBook made no script")?;
+    fs::write(&script, frame::script(&files::text(&script)?)?)
+        .with_context(|| script.display().to_string())
 }
 
 /// Changes every page in the folder.

@@ -526,7 +526,7 @@ mod tests {
             assert!(evaluations.contains(slope), "{evaluations}");
             assert!(outputs.contains("id=\"fig-outputs\""), "{outputs}");
             assert!(outputs.contains("Error of 3 states along a run with the"), "{outputs}");
-            assert!(outputs.contains("1 × 10⁻⁷, most"), "{outputs}");
+            assert!(outputs.contains("1.0 × 10⁻⁷, most"), "{outputs}");
             assert!(outputs.contains("at the ends of steps</text>"), "{outputs}");
         }
         report.findings.clear();
