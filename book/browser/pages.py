@@ -30,7 +30,8 @@ ACCEPTED = {
     # style sheets need it before them.
     ("region", "#mdbook-sidebar-toggle-anchor"),
 }
-# The whole book on paper, without breaks before chapters. With the tests and the reports it had 899.
+# The whole book on paper, without breaks before chapters. With the tests and the reports there were
+# 899.
 SHEETS = 310
 # The contents as mdBook shows them in a frame, where there are no scripts. It is no page by itself.
 FRAMED = "toc.html"

@@ -2,8 +2,8 @@
 // becomes a button, which sorts by its column, and the other way round when it is pressed again;
 // aria-sort says so. Rows without a number stand last either way. The filters of a long table, of
 // the columns that FILTERS names, stand in the address, as in #verdict=fails or, of a block with an
-// id, in #rows.verdict=fails, so that they can be linked to. On a telephone a row is a card. Without
-// scripts, and on paper, every row is there, in the order of the book.
+// id, in #rows.verdict=fails, so that they can be linked to. On a telephone a row is a card.
+// Without scripts, and on paper, every row is there, in the order of the book.
 (() => {
     'use strict';
     if (/\/print\.html$/.test(location.pathname)) return;

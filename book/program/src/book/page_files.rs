@@ -98,8 +98,9 @@ fn has_lab(page: &str) -> bool {
 }
 
 /// The page with the files that it needs: without the scripts that were joined, without the style
-/// of formulas if it has none, without any of the lab's files if it has no lab, and with its fonts called for; with the picture for who posts a
-/// link, if `site` is a whole address, as that picture's has to be.
+/// of formulas if it has none, without any of the lab's files if it has no lab, and with its fonts
+/// called for; with the picture for who posts a link, if `site` is a whole address, as that
+/// picture's has to be.
 fn linked(page: &str, site: &str) -> String {
     let with_lab = has_lab(page);
     let with_picture = site.contains("://");

@@ -1,6 +1,7 @@
 //! What is known of other people's solvers, where a chapter asks for it: `{{solvers}}` is the table
 //! of all, `{{solvers-by-library}}` what was measured of each, `{{solvers-failing}}` the number of
-//! those that do not do what is said of them, and `{{reports}}` are the reports on defects. All are made from the data in `book/strangers/`.
+//! those that do not do what is said of them, and `{{reports}}` are the reports on defects. All are
+//! made from the data in `book/strangers/`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -236,8 +236,9 @@ mod tests {
     #[test]
     fn a_question_is_called_by_what_it_asks() {
         let folder = tempfile::tempdir().unwrap();
-        let chapter = "Text.\n\n```question\nid=\"a-b\"\nask=\"How much?\"\n\n[[choice]]\nis=\"x\"\n```\n\n\
-                       ```question\nid=\n```\n\n```question\nid=\"c\"\nask=\"Why?\"\n```\n";
+        let chapter = "Text.\n\n```question\nid=\"a-b\"\nask=\"How much?\"\n\n[[choice]]\n\
+                       is=\"x\"\n```\n\n```question\nid=\n```\n\n```question\nid=\"c\"\n\
+                       ask=\"Why?\"\n```\n";
         std::fs::write(folder.path().join("a.md"), chapter).unwrap();
         let asked = asked(folder.path()).unwrap();
         let expected = [("a-b", "How much?"), ("c", "Why?")];
