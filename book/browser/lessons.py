@@ -2,7 +2,7 @@
 
 from urllib.parse import parse_qsl
 
-from browser import TELEPHONE
+from browser import DESK, TELEPHONE
 from lab import PAGE, Lab
 
 # The lessons in the chapter: name, and of each step its words, changes and comparison.
@@ -81,17 +81,24 @@ COVERS = """(card => [...document.querySelectorAll('.lab .below *')].some(one =>
 
 
 def test_beside(tab, lab):
-    """On a desk the words are beside the picture, and stay in sight until the table comes, over
-    which they do not lie; on a telephone they are below the picture, before the plots; they are
-    announced politely; without scripts and on paper they stand in the chapter."""
-    (_, top, right, _), (x, y, _, _), _ = lab.run(BOXES)
-    assert x >= right and abs(y - top) < 60
-    lab.run("all('.sliders')[0].scrollIntoView({behavior: 'instant'})")
-    _, (_, y, _, bottom), _ = lab.run(BOXES)
-    assert 0 <= y < bottom <= 900
-    for part in ["table", ".digits", ".said"]:
-        lab.run("all(given)[0].scrollIntoView({behavior: 'instant', block: 'start'})", part)
-        assert not lab.run(COVERS), part
+    """On a desk the words are beside the picture, and on one screen with all that can be set and
+    with the plots; where there is less room they stay in sight until the table comes, over which
+    they do not lie; on a telephone they are below the picture, before the plots; they are announced
+    politely; without scripts and on paper they stand in the chapter."""
+    # The contents stand beside the first.
+    for width, block in [(DESK, "end"), (1200, "start")]:
+        tab.screen(width)
+        lab.open()
+        (_, top, right, _), (x, y, _, _), _ = lab.run(BOXES)
+        assert x >= right and abs(y - top) < 60, width
+        for part in [".sheets", ".sliders", *([".methods"] if block == "end" else [])]:
+            lab.run("all(given[0])[0].scrollIntoView({behavior: 'instant', block: given[1]})",
+                    [part, block])
+            _, (_, y, _, bottom), _ = lab.run(BOXES)
+            assert 0 <= y < bottom <= 900, (width, part)
+        for part in ["table", ".digits", ".said"]:
+            lab.run("all(given)[0].scrollIntoView({behavior: 'instant', block: 'start'})", part)
+            assert not lab.run(COVERS), (width, part)
     assert lab.run("all('.beside .words')[0].ariaLive") == "polite"
     assert not tab.run("document.querySelector('.lesson-steps').checkVisibility()")
     tab.screen(TELEPHONE)

@@ -336,7 +336,8 @@ mod tests {
         <h1 id="s"><a href="#s">Störmer–Verlet</a></h1><p>A <em>kick</em>, and<br>a drift
         <span class="katex"><span class="katex-mathml"><math><mi>Φ</mi><mi>h</mi>
         <annotation>\Phi_h</annotation></math></span><span
-        class="katex-html"><i>Φ</i></span></span>.</p><figure><svg><text>−1.5</text><g><svg></svg></g></svg>
+        class="katex-html"><i>Φ</i></span></span>.</p>
+        <figure><svg><text>−1.5</text><g><svg></svg></g></svg>
         <figcaption>Seen &amp; told.</figcaption></figure>
         <h2 id="e">Exercises</h2><p>Prove it.</p>
         <fieldset class="question"><label>Which?</label></fieldset>
