@@ -6,7 +6,7 @@
 const PLACE = { theta: 0.9, omega: 0 };
 const SIZE = 0.5;
 const CAT_PIECES = 8;
-const AXES = { theta: [-3.2, 2], omega: [-6.2, 6.8] };
+const AXES = { theta: [-3.2, 1.9], omega: [-6.2, 6.8] };
 const HIGH = 260;
 const CAT = {
     h: 0.14,

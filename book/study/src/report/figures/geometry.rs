@@ -336,7 +336,7 @@ pub(super) fn cat(_: &Study, figure: Figure) -> Figure {
         shape: CAT,
         place: CAT_AT,
         pieces: CAT_PIECES,
-        theta: (-3.2, 2.0),
+        theta: (-3.2, 1.9),
         omega: (-6.2, 6.8),
         says_times: false,
     };
