@@ -86,10 +86,13 @@ pub(crate) struct Taken {
     pub unsolved: Option<(u64, Unsolved)>,
 }
 
+/// Bytes of a system that is moved for the steps of a block.
+const SMALL: usize = 512;
+
 /// The [`Stepper`] of a method that is known by its type.
 pub(crate) struct Typed<'m, S: System, M: Method<Counting<S>>> {
-    /// None while steps are taken, and after one that panicked.
-    system: Option<S>,
+    /// None while steps of a small system are taken, and after one that panicked.
+    system: Option<Counting<S>>,
     method: &'m M,
     h: f64,
     now: Standing<S::State, M::Carry>,
@@ -111,27 +114,35 @@ impl<'m, S: System, M: Method<Counting<S>>> Typed<'m, S, M> {
         let system = Counting::new(system);
         let carry = method.start(&system, 0.0, h, z);
         let now = Standing { steps: 0, z, carry, evaluations: system.evaluations() };
-        Self { system: Some(system.into_inner()), method, h, now, before: now }
+        Self { system: Some(system), method, h, now, before: now }
     }
 }
 
 impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
     fn take(&mut self, every: NonZeroU64, states: &mut [S::State]) -> Taken {
         self.before = self.now;
-        // Here and not in `self`, so that the compiler keeps them in registers. A clone of the
-        // system would do that too, but may be large.
-        let system = Counting::new(self.system.take().expect("no step has panicked"));
+        // The numbers of a small system come here, so that the compiler keeps them in registers. A
+        // large one, which may hold a table, stays where it is: moving it takes longer than a step.
+        let is_small = const { size_of::<S>() <= SMALL };
+        let panicked = "no step has panicked";
+        let moved = match is_small {
+            true => Some(Counting::new(self.system.take().expect(panicked).into_inner())),
+            false => None,
+        };
+        let system = if is_small { moved.as_ref() } else { self.system.as_ref() };
+        let system = system.expect(panicked);
         let (method, h) = (self.method, self.h);
         let Standing { mut steps, mut z, mut carry, evaluations } = self.now;
+        let counted = if is_small { 0 } else { system.evaluations() };
         let mut written = 0;
         let take = || {
             for state in states {
                 // Of the states before the last nobody sees anything.
                 for _ in 1..every.get() {
-                    z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                    z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
                     steps += 1;
                 }
-                z = method.try_step(&system, steps as f64 * h, h, z, &mut carry)?;
+                z = method.try_step(system, steps as f64 * h, h, z, &mut carry)?;
                 steps += 1;
                 *state = z;
                 written += 1;
@@ -139,8 +150,10 @@ impl<S: System, M: Method<Counting<S>>> Stepper<S::State> for Typed<'_, S, M> {
             Ok(())
         };
         let unsolved = take().err().map(|why| (steps, why));
-        let evaluations = evaluations + system.evaluations();
-        self.system = Some(system.into_inner());
+        let evaluations = evaluations + (system.evaluations() - counted);
+        if is_small {
+            self.system = moved;
+        }
         self.now = Standing { steps, z, carry, evaluations };
         Taken { states: written, unsolved }
     }
