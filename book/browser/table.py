@@ -75,7 +75,7 @@ RINGS = """(() => {
     const {stage} = lab.drawing, {ink} = stage, rings = [];
     ink.arc = (x, y, radius) => {
         const pivot = stage.pivot(rings.length);
-        if (radius === 10) rings.push(Math.atan2(x - pivot.x, y - pivot.y));
+        if (radius === 6 * stage.size()) rings.push(Math.atan2(x - pivot.x, y - pivot.y));
     };
     stage.draw();
     delete ink.arc;

@@ -86,7 +86,7 @@ class Stopwatch {
         this.lab = lab;
         this.from = this.to = null;
         this.button = button('watch', 'Stopwatch', () => this.press());
-        this.read = element('output', { class: 'time lapse', 'aria-live': 'off' });
+        this.read = element('output', { class: 'lapse', 'aria-live': 'off' });
         this.live = [this.button, this.read];
     }
 
