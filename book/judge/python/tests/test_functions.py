@@ -129,7 +129,7 @@ def test_a_report_shows_itself_in_two_lines():
     """Catches: a page of text where an interpreter shows a value."""
     first, second = repr(pendula.judge(verlet, "order=3")).splitlines()
     assert first == "<Report: A claim fails: order."
-    assert second.startswith(" Störmer–Verlet (stormer-verlet), to ")
+    assert second.startswith(" Störmer–Verlet (stormer-verlet): eight steps agree to ")
     assert second.endswith("; print() shows all of it>")
 
 
