@@ -99,10 +99,9 @@ fn the_energy_is_as_good_as_the_fastest_vibration_says(#[values(1.0, 2.0, 3.0)] 
     assert!((3.0..6.0).contains(&(long / short)), "{long:e} with 0.02, {short:e} with 0.01");
 }
 
-/// Three steps to the fastest period are x = 2π/3, beyond 2: that mode, which has about a
-/// thousandth of the energy of the book's velocities squared, grows by 1.84 in each step until the
-/// crystal explodes, a million million million millionfold in a hundred steps. With 3.3 steps x is
-/// 1.9.
+/// Three steps to the fastest period are x = 2π/3, beyond 2. So the fastest mode grows by 1.84 in
+/// each step, and in a hundred steps by 10²⁶: the crystal explodes, although it began with a
+/// thousandth of the book's velocities. With 3.3 steps x is 1.9, and nothing grows.
 ///
 /// Catches: a limit of stability that is looked for in the crystal's slow motion.
 #[test]
