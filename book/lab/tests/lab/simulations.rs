@@ -133,9 +133,9 @@ const OTHERS: [(Kind, Numbers); 9] = [
 /// step.
 fn steps(info: &MethodInfo) -> u64 {
     match info {
-        MethodInfo { implicit: true, .. } => 100,
-        MethodInfo { force_evaluations: 0..=4, .. } => 2_000,
-        _ => 200,
+        MethodInfo { implicit: true, .. } => 30,
+        MethodInfo { force_evaluations: 0..=4, .. } => 400,
+        _ => 60,
     }
 }
 
@@ -154,7 +154,7 @@ fn the_lab_has_the_bits_of_the_library() {
                 compare(lab.as_mut(), (index as u32, *method), numbers, &mut compared);
             }
         }
-        assert!(compared >= 1_000_000, "only {compared} values");
+        assert!(compared >= 200_000, "only {compared} values");
     }
 }
 
@@ -212,7 +212,7 @@ fn other_systems_have_the_bits_of_the_library() {
         }
         // Of the 22 that suit every system that splits, the splitting methods do not suit it.
         assert_eq!(doubles, 2 * 11);
-        assert!(compared >= 1_000_000, "only {compared} values");
+        assert!(compared >= 200_000, "only {compared} values");
     }
 }
 
