@@ -158,8 +158,11 @@ NAMED = [r"classList\.(?:toggle|add|remove)\('([^']+)'", r"className: '([^']+)'"
 def test_classes(book):
     """Catches: a class of ours that mdBook's style sheets have for something else, as they float
     what is `right`."""
-    sheets = " ".join(sheet.read_text() for sheet in (book.folder / "css").glob("*.css"))
-    taken = {name for rule in re.findall(r"([^{}]+)\{", re.sub(r"(?s)/\*.*?\*/", "", sheets))
+    # Each part of the sheet stands below its name.
+    parts = re.split(r"/\* (\S+\.css) \*/", (book.folder / "theme/book.css").read_text())
+    sheets = " ".join(text for name, text in zip(parts[1::2], parts[2::2])
+                      if name.startswith("css/"))
+    taken = {name for rule in re.findall(r"([^{}]+)\{", sheets)
              for name in re.findall(r"\.([A-Za-z_][\w-]*)", rule)}
     used: dict[str, str] = {}
     scripts = [*(book.folder / "theme").rglob("*.js"), *(book.folder / "assets").rglob("*.js")]

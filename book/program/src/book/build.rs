@@ -25,6 +25,7 @@ use crate::book::preprocess::Pendula;
 use crate::book::print;
 use crate::book::progress::Progress;
 use crate::book::search;
+use crate::book::sheets::Sheets;
 use crate::output::files;
 use crate::output::files::whole_folder::WholeFolder;
 
@@ -90,9 +91,13 @@ fn driven(
     search::index(root, &pages)?;
     print::shorten(&pages)?;
     page_files::join(&pages, &html.additional_js)?;
-    page_files::lighten(&pages, &html.additional_css, &html.additional_js)?;
+    page_files::lighten(&pages, &html.additional_js)?;
+    let sheets = Sheets::join(&pages)?;
     let site = html.site_url.unwrap_or_default();
-    each_page(&pages, |page| page_files::finished(&names::coloured(&frame::page(page)?), &site))?;
+    each_page(&pages, |page| {
+        let page = sheets.linked(&names::coloured(&frame::page(page)?));
+        page_files::finished(&page, &site)
+    })?;
     mend_script(&pages)?;
     known_answers(root, &pages)?;
     let pages = pages.strip_prefix(&new)?.to_path_buf();

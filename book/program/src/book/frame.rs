@@ -32,14 +32,18 @@ const PAGE: [(&str, &str); 6] = [
     ),
 ];
 
-/// Of mdBook's script: the same state, and a line for an old browser that has every browser forget
-/// a page that is left.
-const SCRIPT: [(&str, &str); 2] = [
+/// Of mdBook's script: the same state, a line for an old browser that has every browser forget a
+/// page that is left, and the sheets of listings that it turns on and off, which are one with the
+/// rest ([`super::sheets`]).
+const SCRIPT: [(&str, &str); 5] = [
     (
         "sidebarToggleButton.setAttribute('aria-expanded'",
         "sidebarCheckbox.setAttribute('aria-expanded'",
     ),
     ("window.onunload = function() { };\n", ""),
+    ("document.querySelector('#mdbook-ayu-highlight-css')", "{}"),
+    ("document.querySelector('#mdbook-tomorrow-night-css')", "{}"),
+    ("document.querySelector('#mdbook-highlight-css')", "{}"),
 ];
 
 /// A page with its frame mended. The contents alone, which mdBook shows in a frame where there are

@@ -20,6 +20,7 @@ mod print;
 pub mod progress;
 pub mod review;
 mod search;
+mod sheets;
 pub mod versions;
 
 /// A pattern that is compiled when it is first used.

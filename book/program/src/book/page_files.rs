@@ -16,12 +16,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use crate::book::sheets::ALL;
 use crate::output::files;
 use crate::output::page::hash;
 use anyhow::{Context, Result};
 
 /// Where the lab's files stand in the book.
-const FOLDER: &str = "theme/lab/";
+pub const FOLDER: &str = "theme/lab/";
 
 /// What all scripts are joined to, and the script that loads it.
 const BUNDLE: &str = "theme/lab/bundle.js";
@@ -57,14 +58,12 @@ pub fn join<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
     fs::write(&file, bundle).with_context(|| file.display().to_string())
 }
 
-/// Leaves the comments out of the book's style sheets and of the script of questions, in the folder
-/// of the pages: nobody who reads the book has to wait for them.
-pub fn lighten<P: AsRef<Path>>(pages: &Path, sheets: &[P], scripts: &[P]) -> Result<()> {
-    let scripts = scripts.iter().filter(|script| script.as_ref() == Path::new(QUESTION));
-    for file in sheets.iter().chain(scripts).map(|file| pages.join(file)) {
-        let text = files::text(&file)?;
-        let is_sheet = file.extension().is_some_and(|extension| extension == "css");
-        let light = if is_sheet { without_blocks(&text) } else { without_comments(&text) };
+/// Leaves the comments out of the script of questions, in the folder of the pages: nobody who reads
+/// the book has to wait for them.
+pub fn lighten<P: AsRef<Path>>(pages: &Path, scripts: &[P]) -> Result<()> {
+    if scripts.iter().any(|script| script.as_ref() == Path::new(QUESTION)) {
+        let file = pages.join(QUESTION);
+        let light = without_comments(&files::text(&file)?);
         fs::write(&file, light).with_context(|| file.display().to_string())?;
     }
     Ok(())
@@ -74,17 +73,6 @@ pub fn lighten<P: AsRef<Path>>(pages: &Path, sheets: &[P], scripts: &[P]) -> Res
 fn without_comments(script: &str) -> String {
     let is_code = |line: &&str| !line.trim_start().starts_with("//");
     script.split_inclusive('\n').filter(is_code).collect()
-}
-
-/// A style sheet without its comments; one that does not end is left as it is.
-fn without_blocks(sheet: &str) -> String {
-    let (mut light, mut rest) = (String::new(), sheet);
-    while let Some((before, after)) = rest.split_once("/*") {
-        let Some((_, after)) = after.split_once("*/") else { break };
-        light += before;
-        rest = after;
-    }
-    light + rest
 }
 
 /// The page with the files that it needs and its policy; `site` is the address of the book.
@@ -140,7 +128,7 @@ fn fonts(page: &str) -> String {
     let kinds = KINDS.iter().filter(|(sign, _)| page.contains(sign));
     let names: Vec<&str> = kinds.map(|(_, name)| *name).collect();
     // Where the root of the book is, as the page says it.
-    let before = page.split_once("fonts/fonts.css\"").map_or("", |(before, _)| before);
+    let before = page.split_once(&format!("{ALL}\"")).map_or("", |(before, _)| before);
     let root = before.rsplit_once('"').map_or("", |(_, root)| root);
     format!(
         "\n        <script>if (location.protocol !== 'file:') for (const name of {names:?}) \
@@ -226,11 +214,9 @@ mod tests {
         assert_eq!(bundle, "'use strict';\n{\nconst html = 1;\nconst lab = html;\n}\n");
     }
 
-    /// Catches: a rule or a line of code lost with a comment, or a comment that is kept.
+    /// Catches: a line of code lost with a comment, or a comment that is kept.
     #[test]
     fn comments_are_left_out_and_nothing_else() {
-        assert_eq!(without_blocks("a {}\n/* x { */\nb { /* y */ c: d }"), "a {}\n\nb {  c: d }");
-        assert_eq!(without_blocks("a {} /* b {}"), "a {} /* b {}");
         assert_eq!(
             without_comments("// x\nlet a = 1; // y\n  // z\nb();\n"),
             "let a = 1; // y\nb();\n"
@@ -262,7 +248,7 @@ mod tests {
     /// of another folder.
     #[test]
     fn a_page_calls_for_its_own_fonts() {
-        let head = format!("{CHARSET}<link href=\"../../fonts/fonts.css\"><body><h1>x</h1>");
+        let head = format!("{CHARSET}<link href=\"../../{ALL}\"><body><h1>x</h1>");
         let page = linked(&head, "./");
         assert!(page.contains("[\"fonts/open-sans-regular\", \"fonts/open-sans-600\"]"), "{page}");
         assert!(page.contains("href: `../../${name}.woff2`"), "{page}");
