@@ -172,12 +172,9 @@ class Drawing {
         this.angle = new Plot(lab, pendulum => pendulum.angle, 'rad', () => TURN);
     }
 
-    // What a custom property stands for on the page. A canvas does not know one property within
-    // another: an element does.
+    // What a custom property stands for on the page, which a canvas does not know by its name.
     value(name) {
-        this.sample ??= this.lab.spot.appendChild(element('span', { hidden: true }));
-        this.sample.style.color = `var(${name})`;
-        return getComputedStyle(this.sample).color;
+        return getComputedStyle(this.lab.spot).getPropertyValue(name).trim();
     }
 
     colours() {

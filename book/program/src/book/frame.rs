@@ -33,9 +33,9 @@ const PAGE: [(&str, &str); 6] = [
 ];
 
 /// Of mdBook's script: the same state, a line for an old browser that has every browser forget a
-/// page that is left, and the sheets of listings that it turns on and off, which are one with the
-/// rest ([`super::sheets`]).
-const SCRIPT: [(&str, &str); 5] = [
+/// page that is left, the sheets of listings that it turns on and off, which are one with the rest
+/// ([`super::sheets`]), and the search for a program's words in code that is no listing.
+const SCRIPT: [(&str, &str); 6] = [
     (
         "sidebarToggleButton.setAttribute('aria-expanded'",
         "sidebarCheckbox.setAttribute('aria-expanded'",
@@ -44,6 +44,10 @@ const SCRIPT: [(&str, &str); 5] = [
     ("document.querySelector('#mdbook-ayu-highlight-css')", "{}"),
     ("document.querySelector('#mdbook-tomorrow-night-css')", "{}"),
     ("document.querySelector('#mdbook-highlight-css')", "{}"),
+    (
+        "} else {\n        code_nodes.forEach(",
+        "} else {\n        code_nodes.filter(code => code.matches('pre > code')).forEach(",
+    ),
 ];
 
 /// A page with its frame mended. The contents alone, which mdBook shows in a frame where there are

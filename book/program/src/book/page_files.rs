@@ -110,12 +110,27 @@ fn linked(page: &str, site: &str) -> String {
     let linked: String = page.split_inclusive('\n').filter(stays).collect();
     let linked = linked.replacen(PICTURE, &format!("{PICTURE}{site}"), 1);
     let linked = linked.replace("<img src=", "<img loading=\"lazy\" src=");
-    linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1)
+    let linked = linked.replacen(CHARSET, &format!("{CHARSET}{}", fonts(page)), 1);
+    match linked.rsplit_once(END) {
+        Some((text, rest)) => format!("{text}{END}{APPEARS}{rest}"),
+        None => linked,
+    }
 }
 
-/// The script that calls for the fonts of the page, and has its text appear when they are there, so
-/// that nothing moves under the reader; after the 3 s for which browsers wait for a font it appears
-/// in any case. From a disk a browser refuses to load fonts so early.
+/// Where the text ends.
+const END: &str = "</main>";
+
+/// The script after the text that has it appear when the fonts are there that it asks for, without
+/// waiting for any other script. Where the contents are a page of their own, there is no text.
+const APPEARS: &str = "<script>(async () => { document.body.offsetHeight; \
+     const asked = [...document.fonts].filter(({ status }) => status === 'loading'); \
+     await Promise.race([Promise.allSettled(asked.map(({ loaded }) => loaded)), \
+     new Promise(late => setTimeout(late, 3000))]); \
+     document.documentElement.classList.remove('awaits-fonts'); })();</script>";
+
+/// The script that calls for the fonts of the page, and has its text wait for them, so that nothing
+/// moves under the reader; after the 3 s for which browsers wait for a font it appears in any case.
+/// From a disk a browser refuses to load fonts so early.
 fn fonts(page: &str) -> String {
     const KINDS: [(&str, &str); 6] = [
         ("<body", "fonts/open-sans-regular"),
@@ -134,11 +149,7 @@ fn fonts(page: &str) -> String {
         "\n        <script>if (location.protocol !== 'file:') for (const name of {names:?}) \
          document.head.append(Object.assign(document.createElement('link'), {{rel: 'preload', \
          as: 'font', type: 'font/woff2', crossOrigin: '', href: `{root}${{name}}.woff2`}}));\
-         document.documentElement.classList.add('awaits-fonts'); \
-         addEventListener('DOMContentLoaded', async () => {{ document.body.offsetHeight; \
-         await Promise.race([document.fonts.ready, new Promise(late => setTimeout(late, 3000))]); \
-         document.documentElement.classList.remove('awaits-fonts'); }});\
-         </script>"
+         document.documentElement.classList.add('awaits-fonts');</script>"
     )
 }
 
@@ -254,6 +265,17 @@ mod tests {
         assert!(page.contains("href: `../../${name}.woff2`"), "{page}");
         let page = linked(&format!("{head}<span class=\"katex\">"), "./");
         assert!(page.contains("KaTeX_Main") && !page.contains("KaTeX_Math"), "{page}");
+    }
+
+    /// Catches: a text that waits for other scripts, or for ever; a script among the text, which the
+    /// policy refuses.
+    #[test]
+    fn the_text_appears_right_after_it_is_there() {
+        let page = linked("<main><code>&lt;/main></code></main>\n<script src=\"book.js\">", "./");
+        let (text, rest) = page.split_once("<script>").unwrap();
+        assert!(text.ends_with("</main>") && page.matches(APPEARS).count() == 1, "{page}");
+        assert!(rest.ends_with("</script>\n<script src=\"book.js\">"), "{page}");
+        assert!(!linked("<body></body>", "./").contains(APPEARS));
     }
 
     /// Catches: a picture at an address that only the book's own pages understand, which nobody

@@ -82,7 +82,7 @@ fn pattern() -> Regex {
 
 /// What becomes of a sheet, which a page loads by `link`.
 fn part(sheet: &str, name: &str, link: &str) -> Result<String> {
-    let sheet = without_blocks(sheet);
+    let sheet = without_indents(&without_blocks(sheet));
     // These count at the beginning of a sheet alone.
     for rule in ["@import", "@charset", "@namespace"] {
         ensure!(!sheet.contains(rule), "{name} cannot be joined because it has {rule}");
@@ -118,6 +118,21 @@ fn without_blocks(sheet: &str) -> String {
         rest = after;
     }
     light + rest
+}
+
+/// A style sheet without what stands before and between its lines; within a text that goes on in
+/// the next line, nothing changes.
+fn without_indents(sheet: &str) -> String {
+    let (mut light, mut goes_on) = (String::new(), false);
+    for line in sheet.lines() {
+        let line = if goes_on { line } else { line.trim_start() };
+        goes_on = line.ends_with('\\');
+        if !line.is_empty() {
+            light += line;
+            light.push('\n');
+        }
+    }
+    light
 }
 
 #[cfg(test)]
@@ -187,5 +202,6 @@ mod tests {
     fn comments_are_left_out_and_nothing_else() {
         assert_eq!(without_blocks("a {}\n/* x { */\nb { /* y */ c: d }"), "a {}\n\nb {  c: d }");
         assert_eq!(without_blocks("a {} /* b {}"), "a {} /* b {}");
+        assert_eq!(without_indents("a {\n\n  b: 'c \\\n  d'\n  e\n"), "a {\nb: 'c \\\n  d'\ne\n");
     }
 }
