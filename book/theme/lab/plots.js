@@ -284,6 +284,10 @@ class Plot extends Sheet {
         const size = tick(Number(now.toPrecision(2)));
         const words = `${method.title}: ${size} ${unit} ${up ? '▲' : '▼'}`;
         const y = up ? top + 12 + 18 * i : bottom - 12 - 18 * i;
+        // The curves of the others lie below.
+        const halo = { strokeStyle: lab.drawing.paper, lineWidth: 5, lineJoin: 'round' };
+        Object.assign(ink, halo, { font: FONT, textAlign: 'right', textBaseline: 'middle' });
+        ink.strokeText(words, right - 6, y);
         write(ink, words, right - 6, y, 'right', 'middle');
     }
 

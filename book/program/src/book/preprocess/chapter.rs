@@ -104,12 +104,14 @@ impl Page<'_> {
                     let html = self.setter.maths.set(&tex, display)?;
                     self.edits.push(match text[done..].chars().next() {
                         // A browser may break a line after any formula, even before a comma. A long
-                        // one must stay breakable.
-                        Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')'))
-                            if !display && tex.len() <= HELD =>
-                        {
+                        // one must stay breakable: there the mark is held by the last part.
+                        Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')')) if !display => {
                             let mark = inert(&mark.to_string());
-                            let held = format!("<span class=\"held\">{html}{mark}</span>");
+                            let held = if tex.len() <= HELD {
+                                format!("<span class=\"held\">{html}{mark}</span>")
+                            } else {
+                                with_mark(&html, &mark).with_context(|| tex.to_string())?
+                            };
                             (range.start..done + 1, held)
                         }
                         _ => (range, html),
@@ -232,6 +234,16 @@ fn with_whole_options(code: &str) -> Option<String> {
     html.contains("<span").then(|| format!("<code>{html}</code>"))
 }
 
+/// A formula with a mark after it that no line begins with: on the screen it stands in the formula,
+/// next to its last part.
+fn with_mark(html: &str, mark: &str) -> Option<String> {
+    // The end of that part, of the formula on the screen, and of both its forms.
+    const ENDS: &str = "</span></span></span>";
+    let at = html.rfind("<span class=\"katex-base\">")?;
+    let part = html[at..].strip_suffix(ENDS)?;
+    Some(format!("{}<span class=\"held\">{part}</span>{mark}{ENDS}", &html[..at]))
+}
+
 #[cfg(test)]
 mod tests {
     use rstest::rstest;
@@ -324,6 +336,12 @@ mod tests {
         let held = |text: &str| set(text).unwrap().matches("<span class=\"held\">").count();
         assert_eq!(held("by $h$, or ($x$) and $y$."), 3);
         assert_eq!(held("by $h$ or\n\n$$x$$, say"), 0);
+        // A long one by its last part alone.
+        let long = set(r"$\theta_{n+1} = \theta_n + h\,\omega_n$, or").unwrap();
+        let (before, last) =
+            long.split_once("<span class=\"held\"><span class=\"katex-base\">").unwrap();
+        assert!(before.contains("katex-base") && !last.contains("katex-base"), "{long}");
+        assert!(last.contains("</span>&#44;</span></span></span> or"), "{long}");
         assert!(
             set("by $h$, or").unwrap().ends_with("&#44;</span> or")
                 || set("by $h$, or").unwrap().ends_with(",</span> or")
