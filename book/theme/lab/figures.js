@@ -174,8 +174,8 @@ figures.stencil = class extends Moved {
         else this.legend([...step, ...ends]);
     }
 
-    // Above the square's image, or beside or below it where there is no room, how large it is. Above
-    // that of several slopes there is the name of the last, and below that of one its arrow.
+    // Above the square's image, or beside or below it where there is no room, how large it is.
+    // Above that of several slopes there is the name of the last, and below that of one its arrow.
     tell(image, ratio) {
         const plane = this.planes.at(-1);
         const [xs, ys] = [0, 1].map(k => image.filter((_, i) => i % 2 === k));
@@ -187,8 +187,11 @@ figures.stencil = class extends Moved {
         const words = `area × ${ratio.toFixed(3)}`;
         const fits = above > plane.top + 16;
         // As wide as its letters at most.
-        if (!low && !fits && beside > plane.left && beside + 100 < plane.right && below > plane.top)
-            return plane.note(beside, Math.max((above + below) / 2, plane.top + 16), words, 'start');
+        const hasRoom = beside > plane.left && beside + 100 < plane.right && below > plane.top;
+        if (!low && !fits && hasRoom) {
+            const middle = Math.max((above + below) / 2, plane.top + 16);
+            return plane.note(beside, middle, words, 'start');
+        }
         const y = !low && fits ? above : below;
         if (x > plane.left && x < plane.right && y > plane.top && y < plane.bottom)
             plane.note(x, y, words, 'middle');

@@ -267,8 +267,8 @@ mod tests {
         assert!(page.contains("KaTeX_Main") && !page.contains("KaTeX_Math"), "{page}");
     }
 
-    /// Catches: a text that waits for other scripts, or for ever; a script among the text, which the
-    /// policy refuses.
+    /// Catches: a text that waits for other scripts, or for ever; a script among the text, which
+    /// the policy refuses.
     #[test]
     fn the_text_appears_right_after_it_is_there() {
         let page = linked("<main><code>&lt;/main></code></main>\n<script src=\"book.js\">", "./");
