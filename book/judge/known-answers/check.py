@@ -14,6 +14,7 @@ import time
 import mpmath
 import numpy
 
+import coefficients
 import generate
 import second
 import tables
@@ -324,6 +325,8 @@ def check_file():
     jsonschema.validate(json.loads(text), schema)
     if text != generate.document():
         fail("the file is not what the generator writes")
+    if coefficients.OUTPUT.read_text() != coefficients.document():
+        fail("the coefficients are not what the generator writes")
 
 
 if __name__ == "__main__":

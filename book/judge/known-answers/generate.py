@@ -9,6 +9,7 @@ import tomllib
 import mpmath
 import numpy
 
+import coefficients
 import tables
 from arithmetic import Digits, Rough, Spread, mpf
 from steps import Method, Pendulum, combination, taylor
@@ -202,4 +203,5 @@ if __name__ == "__main__":
     start = time.time()
     text = document()
     OUTPUT.write_text(text)
+    coefficients.OUTPUT.write_text(coefficients.document())
     print(f"{len(text.encode())} bytes, {time.time() - start:.1f} s")

@@ -84,6 +84,7 @@ mod program;
 pub mod properties;
 mod property;
 pub mod protocol;
+pub mod rows;
 mod solver;
 mod solver_judge;
 mod step_fn;

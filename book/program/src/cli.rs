@@ -13,7 +13,9 @@ use rayon::ThreadPoolBuilder;
 
 use crate::commands::number::{Part, Sweep};
 use crate::commands::output::Streams;
-use crate::commands::{exact, examples, installed, methods, serve, simulate, sweep, verify};
+use crate::commands::{
+    exact, examples, identify, installed, methods, serve, simulate, sweep, verify,
+};
 use crate::output::failure::{Failure, shortened};
 
 #[derive(Debug, Parser)]
@@ -59,6 +61,12 @@ pub enum Command {
         "pendula verify --example python > verlet.py",
     ]))]
     Verify(verify::Arguments),
+    /// Say which equation and which method a table of a run was made with
+    #[command(display_order = 3, after_help = examples(&[
+        "pendula simulate --method rk4 --theta0 1 --dt 0.1 --steps 99 > rk4.csv; \
+         pendula identify rk4.csv",
+    ]))]
+    Identify(identify::Arguments),
     /// Integrate a system, and print a row of each time and state
     #[command(display_order = 4, after_help = examples(&[
         "pendula simulate --method stormer-verlet --theta0 pi/3 --dt 0.01 --steps 1000 --summary",
@@ -185,6 +193,7 @@ pub fn run(command: Command, streams: Streams<'_>) -> Result<(), Failure> {
         #[cfg(feature = "book")]
         Command::Study(command) => crate::commands::study::run(command, streams.out),
         Command::Verify(arguments) => verify::run(&arguments, streams.out),
+        Command::Identify(arguments) => identify::run(&arguments, streams.out),
         Command::Simulate(arguments) => simulate::run(&arguments, streams),
         Command::Exact(arguments) => exact::run(&arguments, streams.out),
         Command::Sweep(arguments) => sweep::run(&arguments, streams),

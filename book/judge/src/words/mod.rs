@@ -13,5 +13,6 @@ mod report;
 pub mod solver_cause;
 mod solver_finding;
 mod trouble;
+mod rows;
 
 pub use advice::sign_of_slopes;

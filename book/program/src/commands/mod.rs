@@ -7,6 +7,7 @@ use crate::output::failure::Failure;
 use clap::builder::{StyledStr, Styles};
 
 pub mod exact;
+pub mod identify;
 pub mod installed;
 pub mod methods;
 pub mod number;

@@ -1,0 +1,601 @@
+//! Pairs of rows as equations, and the fit of an equation of motion by a method's map.
+//!
+//! Row i is z = ẑ + δ, where the program had ẑ and its printing rounded by |δ| ≤ u, half a unit
+//! of the last digit. The program's map takes ẑ of a row to ẑ' of another, so that
+//!
+//! z' − M(z) = δ' − J δ, and |z' − M(z)| ≤ u' + |J| u + ρ,
+//!
+//! entry by entry, where J is M's derivative over a way of δ, taken as the larger of both sides'
+//! differences at ±u. ρ is for the rounding of doubles: each step adds at most ε (w + 4) of the
+//! size of what it adds up, w being the sum of the sizes of its coefficients; an error of the angle
+//! becomes one of the velocity, k times the time as large, and one of the velocity one of the
+//! angle. How far off a pair is is told in units of this bound: at most 1, if method and equation
+//! are right.
+
+use std::sync::LazyLock;
+
+use super::candidates::{Candidate, Equation, State, named};
+use super::report::Force;
+
+/// The rows that are compared: good ones, in their order.
+#[derive(Clone, Debug, Default)]
+pub struct Data {
+    /// The time at place 0 (s).
+    pub start: f64,
+    /// From place to place (s).
+    pub spacing: f64,
+    /// What that is known to (s).
+    pub spacing_known_to: f64,
+    /// Whether places follow each other evenly.
+    pub even: bool,
+    /// The number of each row in the table, from 0.
+    pub row: Vec<usize>,
+    /// The place of each row.
+    pub at: Vec<i64>,
+    /// The time of each row.
+    pub t: Vec<f64>,
+    /// Angles and velocities; the latter empty, if there are none.
+    pub theta: Vec<f64>,
+    /// Velocities.
+    pub omega: Vec<f64>,
+    /// Half a unit of the last digit.
+    pub half_theta: Vec<f64>,
+    /// Half a unit of the last digit.
+    pub half_omega: Vec<f64>,
+}
+
+/// Rows i, i + lag and, without velocities, i + 2 lag.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// Indices of rows in the data.
+    pub rows: [usize; 3],
+    /// How many places lie between two of them.
+    pub lag: u32,
+}
+
+/// Whose map leads from row to row.
+#[derive(Clone, Copy, Debug)]
+pub enum Map {
+    /// The exact motion.
+    Exact,
+    /// So many steps of a candidate from place to place.
+    Steps(&'static Candidate, u32),
+}
+
+/// The numbers that are fitted: k, c, the spacing as a factor, a, b and Ω.
+pub const NUMBERS: usize = 6;
+/// Which of them are.
+pub type Active = [bool; NUMBERS];
+
+/// A fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit {
+    /// Whose map.
+    pub map: Map,
+    /// The equation.
+    pub equation: Equation,
+    /// The spacing as a factor of that of the rows.
+    pub stretch: f64,
+    /// The mean square of how far off the pairs are, its root.
+    pub mean: f64,
+    /// The worst of them.
+    pub worst: f64,
+    /// What each number is known to.
+    pub known_to: [f64; NUMBERS],
+}
+
+impl Data {
+    /// Whether there are velocities.
+    pub fn has_velocities(&self) -> bool {
+        !self.omega.is_empty()
+    }
+
+    /// The row at so many places after row i.
+    fn after(&self, i: usize, lag: u32) -> Option<usize> {
+        if !self.even {
+            let j = i + lag as usize;
+            return (j < self.row.len() && self.at[j] == self.at[i] + i64::from(lag)).then_some(j);
+        }
+        let place = self.at[i] + i64::from(lag);
+        let guess = i + lag as usize;
+        if self.at.get(guess) == Some(&place) {
+            return Some(guess);
+        }
+        self.at[i..].binary_search(&place).ok().map(|j| i + j)
+    }
+
+    /// The pair that begins with row i.
+    pub fn pair(&self, i: usize, lag: u32) -> Option<Pair> {
+        let j = self.after(i, lag)?;
+        let k = if self.has_velocities() { j } else { self.after(j, lag)? };
+        Some(Pair { rows: [i, j, k], lag })
+    }
+
+    /// At most so many pairs, spread evenly over the rows; always the first.
+    pub fn pairs(&self, lag: u32, most: usize) -> Vec<Pair> {
+        let rows = self.row.len();
+        if rows <= most {
+            return (0..rows).filter_map(|i| self.pair(i, lag)).collect();
+        }
+        let last =
+            rows.saturating_sub(1 + lag as usize * if self.has_velocities() { 1 } else { 2 });
+        // By fractions that are no rows, so that a drive's or a swing's own period is not hit.
+        let at = |i: usize| (i as f64 * last as f64 / (most.max(2) - 1) as f64) as usize;
+        (0..most).filter_map(|i| self.pair(at(i), lag)).collect()
+    }
+
+    fn span(&self, pair: &Pair, second: bool) -> f64 {
+        let [i, j, k] = pair.rows;
+        let (a, b) = if second { (j, k) } else { (i, j) };
+        if self.even { f64::from(pair.lag) * self.spacing } else { self.t[b] - self.t[a] }
+    }
+
+    fn time(&self, i: usize) -> f64 {
+        if self.even { self.start + self.at[i] as f64 * self.spacing } else { self.t[i] }
+    }
+
+    /// How many numbers a pair has.
+    pub fn entries(&self) -> usize {
+        if self.has_velocities() { 2 } else { 1 }
+    }
+}
+
+/// A map on given data, with numbers that are known.
+#[derive(Clone, Copy)]
+pub struct Applied<'a> {
+    /// The rows.
+    pub data: &'a Data,
+    /// The map.
+    pub map: Map,
+    /// The equation.
+    pub equation: Equation,
+    /// The factor of the spacing.
+    pub stretch: f64,
+}
+
+impl Applied<'_> {
+    /// The state after a span, from a time.
+    pub fn advance(&self, t: f64, z: State, span: f64, lag: u32) -> State {
+        let span = span * self.stretch;
+        match self.map {
+            Map::Exact => exact(&self.equation, t, z, span),
+            Map::Steps(candidate, steps) => {
+                let steps = steps * lag;
+                candidate.run(&self.equation, t, z, span / f64::from(steps), steps)
+            }
+        }
+    }
+
+    /// The velocity with which a row's angle becomes the next's, by Newton's method.
+    pub fn velocity(&self, pair: &Pair, from: f64, to: f64) -> Option<f64> {
+        let span = self.data.span(pair, false);
+        let t = self.data.time(pair.rows[0]);
+        let mut omega = (to - from) / span;
+        let scale = libm::fmax(omega.abs(), 1e-3 / span);
+        let size = libm::fmax(from.abs(), to.abs());
+        let mut slope = f64::NAN;
+        for round in 0..12 {
+            let end = self.advance(t, [from, omega], span, pair.lag)[0];
+            // The angle is nearly linear in the velocity: one slope serves some rounds.
+            if round % 4 == 0 {
+                let d = 1e-6 * scale;
+                slope = (self.advance(t, [from, omega + d], span, pair.lag)[0] - end) / d;
+            }
+            let change = (to - end) / slope;
+            if !change.is_finite() || change.abs() > 100.0 * scale {
+                return None;
+            }
+            omega += change;
+            if change.abs() <= 2.0 * f64::EPSILON * (size / slope.abs() + omega.abs()) {
+                break;
+            }
+        }
+        Some(omega)
+    }
+
+    /// What the pair's last row would be, if its first were shifted; of a method of several steps
+    /// one of the rows before.
+    fn predict(&self, pair: &Pair, which: usize, shift: [f64; 2]) -> State {
+        let Self { data, .. } = *self;
+        let [i, j, _] = pair.rows;
+        let t = data.time(i);
+        if data.has_velocities() {
+            let z = [data.theta[i] + shift[0], data.omega[i] + shift[1]];
+            let span = data.span(pair, false);
+            if let Map::Steps(candidate, steps) = self.map {
+                let older = candidate.older();
+                if older > 0 {
+                    return self.of_older(candidate, steps, older, pair, (which, shift));
+                }
+            }
+            return self.advance(t, z, span, pair.lag);
+        }
+        if matches!(self.map, Map::Steps(candidate, _) if candidate.older() > 0) {
+            return [f64::NAN; 2];
+        }
+        let (from, to) = (data.theta[i] + shift[0], data.theta[j] + shift[1]);
+        let Some(omega) = self.velocity(pair, from, to) else { return [f64::NAN; 2] };
+        let middle = self.advance(t, [from, omega], data.span(pair, false), pair.lag);
+        self.advance(data.time(j), [to, middle[1]], data.span(pair, true), pair.lag)
+    }
+
+    /// The older states are the rows before, where steps are rows.
+    fn of_older(
+        &self,
+        candidate: &Candidate,
+        steps: u32,
+        older: usize,
+        pair: &Pair,
+        (which, shift): (usize, [f64; 2]),
+    ) -> State {
+        let data = self.data;
+        let i = pair.rows[0];
+        let follow = i >= older && data.at[i] - data.at[i - older] == older as i64;
+        if steps != 1 || !follow {
+            return [f64::NAN; 2];
+        }
+        let mut past = [[0.0; 2]; 8];
+        for (n, z) in past[..=older].iter_mut().enumerate() {
+            *z = [data.theta[i - n], data.omega[i - n]];
+        }
+        past[which] = [past[which][0] + shift[0], past[which][1] + shift[1]];
+        let h = data.spacing * self.stretch;
+        for n in 0..pair.lag {
+            let t = data.time(i) + h * f64::from(n);
+            let next = candidate.step_from(&self.equation, t, &past[..=older], h);
+            past.copy_within(0..older, 1);
+            past[0] = next;
+        }
+        past[0]
+    }
+
+    /// By how much the last row of a pair differs from what it would be.
+    pub fn residual(&self, pair: &Pair) -> [f64; 2] {
+        let predicted = self.predict(pair, 0, [0.0; 2]);
+        let last = pair.rows[2];
+        let omega = self.data.omega.get(last).map_or(0.0, |omega| omega - predicted[1]);
+        [self.data.theta[last] - predicted[0], omega]
+    }
+
+    /// The bound of that, as it is derived above.
+    pub fn bound(&self, pair: &Pair) -> [f64; 2] {
+        let data = self.data;
+        let [i, j, k] = pair.rows;
+        let here = self.predict(pair, 0, [0.0; 2]);
+        let halves = if data.has_velocities() {
+            [data.half_theta[i], data.half_omega[i]]
+        } else {
+            [data.half_theta[i], data.half_theta[j]]
+        };
+        let span = data.span(pair, false).abs();
+        let velocity = if data.has_velocities() {
+            libm::fmax(data.omega[i].abs(), data.omega[k].abs())
+        } else {
+            ((data.theta[j] - data.theta[i]) / span).abs()
+        };
+        let size = libm::fmax(data.theta[i].abs(), data.theta[k].abs());
+        let sizes = [libm::fmax(size, span * velocity), libm::fmax(velocity, 1e-3 * size / span)];
+        let older = match self.map {
+            Map::Steps(candidate, _) => candidate.older(),
+            Map::Exact => 0,
+        };
+        let mut bound = [data.half_theta[k], data.half_omega.get(k).copied().unwrap_or(0.0)];
+        let entries = (0..=older).flat_map(|which| [(which, 0), (which, 1)]);
+        for ((which, entry), half) in entries.zip(halves.into_iter().cycle()) {
+            if half == 0.0 {
+                continue;
+            }
+            // Over the way that rounding may go, if doubles show it.
+            let size = if data.has_velocities() { sizes[entry] } else { sizes[0] };
+            let way = libm::fmax(half, 3e-8 * size);
+            let mut shift = [0.0; 2];
+            shift[entry] = way;
+            let above = self.predict(pair, which, shift);
+            shift[entry] = -way;
+            let below = self.predict(pair, which, shift);
+            for at in 0..2 {
+                let slope = libm::fmax((above[at] - here[at]).abs(), (here[at] - below[at]).abs());
+                bound[at] += slope * half / way;
+            }
+        }
+        let (steps, weight) = match self.map {
+            Map::Exact => (20.0, 8.0),
+            Map::Steps(candidate, steps) => {
+                // Of coefficients that cancel more is lost: no more is allowed for.
+                (f64::from(steps * pair.lag), libm::fmin(candidate.weight, 20.0) + 4.0)
+            }
+        };
+        let time = f64::from(pair.lag) * data.spacing;
+        let of_one = f64::EPSILON * steps * weight;
+        let k = self.equation.rate() * self.equation.rate();
+        let acceleration = k * libm::fmin(1.0, size);
+        let theta = of_one * (size + time * velocity / steps);
+        let omega = of_one * (velocity + time * acceleration / steps);
+        bound[0] += theta + time * omega;
+        bound[1] += omega + time * k * theta;
+        if !data.has_velocities() {
+            // The velocity that is found carries the rounding of both angles.
+            bound[0] += 4.0 * theta;
+        }
+        bound
+    }
+}
+
+static FINE: LazyLock<&'static Candidate> =
+    LazyLock::new(|| named("dormand-prince-8").expect("a method of the tables"));
+
+/// The exact motion over a span that leads from row to row.
+pub fn exact(equation: &Equation, t: f64, z: State, span: f64) -> State {
+    // More is a fit that is lost, at a force that no rows have.
+    exact_within(equation, t, z, span, 1e3)
+}
+
+/// The exact motion: steps of order 8 that are so short that their error is below rounding, but no
+/// more than so many.
+pub fn exact_within(equation: &Equation, t: f64, z: State, span: f64, most: f64) -> State {
+    let speed = libm::fmax(equation.rate(), 0.3 * z[1].abs());
+    let steps = libm::fmax(libm::ceil(span.abs() * speed / 0.15), 1.0);
+    if steps.is_nan() || steps > most {
+        return [f64::NAN; 2];
+    }
+    FINE.run(equation, t, z, span / steps, steps as u32)
+}
+
+/// Residuals, bounds and derivatives at some numbers.
+pub struct Linear {
+    /// Residuals in units of the bound.
+    pub off: Vec<f64>,
+    /// Their derivatives by the numbers that are fitted.
+    pub slopes: Vec<Vec<f64>>,
+    /// The bounds.
+    pub bounds: Vec<f64>,
+}
+
+impl<'a> Applied<'a> {
+    /// These numbers.
+    pub fn numbers(&self) -> [f64; NUMBERS] {
+        let Equation { k, c, drive: [a, b, frequency], .. } = self.equation;
+        [k, c, self.stretch, a, b, frequency]
+    }
+
+    /// The same map with other numbers.
+    pub fn with(&self, [k, c, stretch, a, b, frequency]: [f64; NUMBERS]) -> Applied<'a> {
+        let equation = Equation { k, c, drive: [a, b, frequency], ..self.equation };
+        Applied { equation, stretch, ..*self }
+    }
+
+    /// The ways by which the numbers are moved to see what comes of it.
+    fn ways(&self) -> [f64; NUMBERS] {
+        let frequency = libm::fmax(self.equation.rate(), 1e-6);
+        let force = libm::fmax(self.equation.k.abs(), 1e-9);
+        let way = 1e-6;
+        [way * force, way * frequency, way, way * force, way * force, way * frequency]
+    }
+
+    /// Bounds of all pairs, one entry after the other.
+    pub fn bounds(&self, pairs: &[Pair]) -> Vec<f64> {
+        let entries = self.data.entries();
+        pairs.iter().flat_map(|pair| self.bound(pair).into_iter().take(entries)).collect()
+    }
+
+    /// How far the states of all pairs move, in units of these bounds.
+    pub fn moves(&self, pairs: &[Pair], bounds: &[f64]) -> Vec<f64> {
+        let data = self.data;
+        let all = pairs.iter().flat_map(|pair| {
+            let [i, j, k] = pair.rows;
+            if data.has_velocities() {
+                vec![data.theta[k] - data.theta[i], data.omega[k] - data.omega[i]]
+            } else {
+                vec![data.theta[i] - 2.0 * data.theta[j] + data.theta[k]]
+            }
+        });
+        all.zip(bounds).map(|(move_, bound)| move_ / bound).collect()
+    }
+
+    /// Residuals of all pairs in units of these bounds.
+    pub fn off(&self, pairs: &[Pair], bounds: &[f64]) -> Vec<f64> {
+        let entries = self.data.entries();
+        let all = pairs.iter().flat_map(|pair| self.residual(pair).into_iter().take(entries));
+        all.zip(bounds).map(|(residual, bound)| residual / bound).collect()
+    }
+
+    /// All of it, linearised.
+    pub fn linear(&self, pairs: &[Pair], active: &Active, bounds: Vec<f64>) -> Linear {
+        let off = self.off(pairs, &bounds);
+        let ways = self.ways();
+        let slopes = (0..NUMBERS).filter(|&n| active[n]).map(|n| {
+            let mut numbers = self.numbers();
+            numbers[n] += ways[n];
+            let moved = self.with(numbers).off(pairs, &bounds);
+            moved.iter().zip(&off).map(|(a, b)| (a - b) / ways[n]).collect()
+        });
+        let slopes = slopes.collect();
+        Linear { off, slopes, bounds }
+    }
+}
+
+/// Solves the normal equations by elimination with a little added to the diagonal; and the
+/// inverse's diagonal.
+fn solve(
+    slopes: &[Vec<f64>],
+    off: &[f64],
+    weights: &[f64],
+    (prior, away): (&[f64], f64),
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let size = slopes.len();
+    let mut scales = vec![0.0; size];
+    let mut m = vec![vec![0.0; 2 * size + 1]; size];
+    for i in 0..size {
+        let norm: f64 =
+            slopes[i].iter().zip(weights).map(|(a, w)| w * a * a).sum::<f64>() + prior[i];
+        scales[i] = 1.0 / libm::sqrt(libm::fmax(norm, 1e-300));
+    }
+    for i in 0..size {
+        for j in 0..size {
+            let sum: f64 =
+                slopes[i].iter().zip(&slopes[j]).zip(weights).map(|((a, b), w)| w * a * b).sum();
+            let prior = if i == j { prior[i] } else { 0.0 };
+            m[i][j] = (sum + prior) * scales[i] * scales[j];
+        }
+        m[i][i] += 1e-13;
+        m[i][size + i] = 1.0;
+        let sum: f64 = slopes[i].iter().zip(off).zip(weights).map(|((a, b), w)| w * a * b).sum();
+        // Only the spacing is known beforehand, and by so much it is off.
+        m[i][2 * size] = -(sum + prior[i] * away) * scales[i];
+    }
+    for i in 0..size {
+        let pivot = (i..size).max_by(|&a, &b| m[a][i].abs().total_cmp(&m[b][i].abs()))?;
+        m.swap(i, pivot);
+        let head = m[i][i];
+        if head.is_nan() || head.abs() <= 1e-300 {
+            return None;
+        }
+        m[i].iter_mut().for_each(|x| *x /= head);
+        for j in (0..size).filter(|&j| j != i) {
+            let factor = m[j][i];
+            let row = m[i].clone();
+            m[j].iter_mut().zip(row).for_each(|(x, head)| *x -= factor * head);
+        }
+    }
+    let step = (0..size).map(|i| m[i][2 * size] * scales[i]).collect();
+    let spread = (0..size).map(|i| libm::sqrt(m[i][size + i].abs()) * scales[i]).collect();
+    Some((step, spread))
+}
+
+/// The root of the mean of the squares.
+pub fn mean(off: &[f64]) -> f64 {
+    libm::sqrt(off.iter().map(|x| x * x).sum::<f64>() / off.len().max(1) as f64)
+}
+
+/// The largest size; infinite if one is no number.
+pub fn worst(off: &[f64]) -> f64 {
+    off.iter().fold(0.0, |a, x| if x.is_finite() { libm::fmax(a, x.abs()) } else { f64::INFINITY })
+}
+
+/// Fits the active numbers by Gauss and Newton's method from those of `from`.
+///
+/// With `even_out` the largest residual is made small, not the mean square: pairs are given the
+/// more weight the further off they are, again and again (Lawson's method).
+pub fn fit(from: Applied<'_>, pairs: &[Pair], active: &Active, even_out: bool) -> Option<Fit> {
+    let mut here = from;
+    let count = active.iter().filter(|&&x| x).count();
+    // The spacing is known beforehand, as the times have digits.
+    let known = from.data.spacing_known_to / from.data.spacing;
+    let places: Vec<usize> = (0..NUMBERS).filter(|&n| active[n]).collect();
+    let prior: Vec<f64> = places
+        .iter()
+        .map(|&n| if n == 2 { 1.0 / libm::fmax(known * known, 1e-30) } else { 0.0 })
+        .collect();
+    let mut bounds = here.bounds(pairs);
+    if pairs.is_empty() || bounds.len() < count + 1 || !worst(&bounds).is_finite() {
+        return None;
+    }
+    let mut weights = vec![1.0; bounds.len()];
+    let mut cost = f64::INFINITY;
+    let mut spread = vec![f64::NAN; count];
+    let mut best: Option<(f64, Applied<'_>)> = None;
+    let rounds = if even_out { 15 } else { 8 };
+    for round in 0..rounds {
+        let Linear { off, slopes, .. } = here.linear(pairs, active, bounds.clone());
+        let now = mean(&off);
+        if !now.is_finite() {
+            break;
+        }
+        let measure = if even_out { worst(&off) } else { now };
+        if best.is_none_or(|(least, _)| measure < least) {
+            best = Some((measure, here));
+        }
+        if even_out {
+            let most = worst(&off);
+            weights.iter_mut().zip(&off).for_each(|(w, x)| *w *= 1e-3 + x.abs() / most);
+            let sum = weights.iter().sum::<f64>() / weights.len() as f64;
+            weights.iter_mut().for_each(|w| *w /= sum);
+        }
+        let Some((step, around)) = solve(&slopes, &off, &weights, (&prior, here.stretch - 1.0))
+        else {
+            break;
+        };
+        spread = around;
+        let mut numbers = here.numbers();
+        let mut moved = 0.0;
+        for (n, &place) in places.iter().enumerate() {
+            numbers[place] += step[n];
+            moved = libm::fmax(moved, step[n].abs() / libm::fmax(spread[n], 1e-300));
+        }
+        // A step that makes it worse is halved, some times.
+        let mut next = here.with(numbers);
+        for _ in 0..if even_out { 0 } else { 2 } {
+            let then = mean(&next.off(pairs, &bounds));
+            if then.is_finite() && then <= now * (1.0 + 1e-9) {
+                break;
+            }
+            let (a, b) = (next.numbers(), here.numbers());
+            next = here.with(core::array::from_fn(|n| 0.5 * (a[n] + b[n])));
+        }
+        here = next;
+        if !even_out && moved < 1e-3 {
+            break;
+        }
+        let settled = !even_out && (cost - now).abs() <= 1e-6 * now;
+        cost = now;
+        if settled {
+            break;
+        }
+        if round == 3 && !even_out {
+            bounds = here.bounds(pairs);
+            best = None;
+            if !worst(&bounds).is_finite() {
+                return None;
+            }
+        }
+    }
+    let here = if even_out { best?.1 } else { here };
+    let bounds = here.bounds(pairs);
+    let off = here.off(pairs, &bounds);
+    let mut known_to = [0.0; NUMBERS];
+    for (n, &place) in places.iter().enumerate() {
+        known_to[place] = 2.0 * spread[n];
+    }
+    let (mean, worst) = (mean(&off), worst(&off));
+    // Another spacing than the times have is none: a wrong map would take it.
+    if active[2] && (here.stretch - 1.0).abs() > libm::fmax(known, 1e-12) {
+        let fixed = [active[0], active[1], false, active[3], active[4], active[5]];
+        return fit(Applied { stretch: 1.0, ..from }, pairs, &fixed, even_out);
+    }
+    let Applied { map, equation, stretch, .. } = here;
+    mean.is_finite().then_some(Fit { map, equation, stretch, mean, worst, known_to })
+}
+
+/// The equation of this force that the second differences of the angles, or the differences of the
+/// velocities, fit best: to begin with.
+pub fn first_guess(data: &Data, force: Force) -> Equation {
+    let mut sums = [[0.0; 3]; 2];
+    let mut add = |bend: f64, force: f64, rate: f64| {
+        let [x, y] = [-force, -rate];
+        if [bend, x, y].iter().all(|x| x.is_finite()) {
+            sums[0] = [sums[0][0] + x * x, sums[0][1] + x * y, sums[0][2] + x * bend];
+            sums[1] = [sums[1][0] + y * y, sums[1][1] + y * bend, 0.0];
+        }
+    };
+    for pair in data.pairs(1, 2000) {
+        let [i, j, k] = pair.rows;
+        let (span, th) = (data.span(&pair, false), &data.theta);
+        if data.has_velocities() {
+            let (a, b) = (data.omega[i], data.omega[j]);
+            add((b - a) / span, 0.5 * (force.at(th[i]) + force.at(th[j])), 0.5 * (a + b));
+        } else {
+            let next = data.span(&pair, true);
+            let (before, after) = ((th[j] - th[i]) / span, (th[k] - th[j]) / next);
+            add(2.0 * (after - before) / (span + next), force.at(th[j]), 0.5 * (before + after));
+        }
+    }
+    let [[xx, xy, xb], [yy, yb, _]] = sums;
+    let det = xx * yy - xy * xy;
+    let (k, c) = if det.abs() > 1e-9 * xx * yy {
+        ((xb * yy - yb * xy) / det, (xx * yb - xy * xb) / det)
+    } else {
+        (xb / libm::fmax(xx, 1e-300), 0.0)
+    };
+    let (k, c) = if k.is_finite() && c.is_finite() { (k, c) } else { (1.0, 0.0) };
+    Equation { force, k, c, drive: [0.0; 3] }
+}

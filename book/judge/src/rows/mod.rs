@@ -1,0 +1,557 @@
+//! Rows of a run, and what made them.
+//!
+//! What people have of a program is what comes out of it: rows of t, θ and ω. Each pair of
+//! neighbours is an equation for the steps that lead from one to the other, and the last digit says
+//! how exactly it has to hold. So the rows say which equation they are of, and often which method
+//! has made them, in how many steps from row to row.
+//!
+//! ```
+//! use pendula_judge::rows::{Maker, identify};
+//!
+//! let (mut theta, mut omega) = (1.0_f64, 0.0_f64);
+//! let mut text = String::from("t,theta,omega\n");
+//! for n in 0..200 {
+//!     text += &format!("{:.2},{theta:.6},{omega:.6}\n", 0.02 * f64::from(n));
+//!     omega -= 0.02 * 9.8 * theta.sin();
+//!     theta += 0.02 * omega;
+//! }
+//! let report = identify(text.as_bytes()).unwrap();
+//! let Maker::Method(made) = &report.maker else { panic!("{report:?}") };
+//! assert_eq!((made.name.as_str(), made.steps, made.step), ("symplectic-euler", 1, 0.02));
+//! assert_eq!(made.equation.k.short, 9.8);
+//! ```
+
+#[doc(hidden)]
+pub mod candidates;
+mod columns;
+mod faults;
+mod fit;
+mod json;
+mod parse;
+mod report;
+mod search;
+
+pub use report::{
+    AtTheEnd, Digits, Distinguish, Fault, Force, FoundEquation, Known, Made, Maker, Read, Refusal,
+    RunReport, Unit, Used,
+};
+
+use columns::Run;
+use faults::{Places, rounded};
+use fit::{Data, Fit, Map};
+use parse::{Cell, Column, Table};
+use search::{Found, Motion, applied};
+
+/// More bytes than these are not read.
+pub const MOST_BYTES: usize = 256 << 20;
+/// So many pairs are compared with the method that is found.
+const MOST_COMPARED: usize = 20_000;
+/// How far off a pair may be, in bounds, as the fit of the numbers ends before it is the best.
+const SLACK: f64 = 1.1;
+/// So many of them are listed of methods that cannot be told apart.
+const MOST_LISTED: usize = 6;
+
+/// Says what the rows of a text are.
+///
+/// # Errors
+/// If it is no table of a run.
+pub fn identify(text: &[u8]) -> Result<RunReport, Refusal> {
+    if text.len() > MOST_BYTES {
+        return Err(Refusal::TooLong);
+    }
+    identify_table(&parse::parse(text)?)
+}
+
+/// The same of numbers, whose digits are the fewest that read back to them.
+///
+/// # Errors
+/// If they are no run.
+///
+/// # Panics
+/// If there are not as many angles or velocities as times.
+pub fn identify_run(t: &[f64], theta: &[f64], omega: Option<&[f64]>) -> Result<RunReport, Refusal> {
+    let column = |heading: &str, numbers: &[f64]| {
+        assert_eq!(numbers.len(), t.len(), "as many numbers as times");
+        Column {
+            heading: heading.to_string(),
+            cells: numbers.iter().copied().map(Cell::of).collect(),
+        }
+    };
+    let mut columns = vec![column("t", t), column("theta", theta)];
+    columns.extend(omega.map(|omega| column("omega", omega)));
+    match t.len() {
+        0 => return Err(Refusal::Empty),
+        1 => return Err(Refusal::OneRow),
+        _ => {}
+    }
+    identify_table(&Table { columns, lines: (1..=t.len()).collect(), left_out: 0 })
+}
+
+fn identify_table(table: &Table) -> Result<RunReport, Refusal> {
+    let (mut read, mut run) = columns::choose(table)?;
+    let (places, mut faults) = faults::find(&mut run);
+    read.spacing = places.even.then_some(places.spacing);
+    read.spacing_known_to = places.known_to;
+    let mut data = data(&run, &places);
+    let needed = if data.has_velocities() { 4 } else { 7 };
+    if data.row.len() < needed || data.pairs(1, usize::MAX).len() < 3 {
+        return Err(Refusal::TooFewRows { rows: data.row.len(), needed });
+    }
+    let mut motions = search::motions(&data, None);
+    if let Some(best) = motions.first().cloned() {
+        let told = outliers(&mut data, &best);
+        if !told.is_empty() {
+            motions = search::motions(&data, None);
+        }
+        faults.extend(told);
+    }
+    let mut report = RunReport {
+        read,
+        faults,
+        equation: None,
+        maker: Maker::NoPendulum,
+        compared: (0, data.pairs(1, usize::MAX).len()),
+        end: None,
+    };
+    make(&mut report, &mut data, motions);
+    Ok(report)
+}
+
+fn data(run: &Run, places: &Places) -> Data {
+    let good: Vec<usize> = (0..run.t.len()).filter(|&i| places.good[i]).collect();
+    let of = |xs: &[f64]| good.iter().filter_map(|&i| xs.get(i).copied()).collect::<Vec<f64>>();
+    let at: Vec<i64> = good.iter().map(|&i| places.at[i]).collect();
+    let first = good.first().map_or(0.0, |&i| run.t[i]);
+    let start = first - at.first().copied().unwrap_or(0) as f64 * places.spacing;
+    let mut t = of(&run.t);
+    if places.even {
+        t = at.iter().map(|&at| start + at as f64 * places.spacing).collect();
+    }
+    Data {
+        start,
+        spacing: places.spacing,
+        spacing_known_to: places.known_to,
+        even: places.even,
+        at,
+        t,
+        theta: of(&run.theta),
+        omega: of(&run.omega),
+        half_theta: of(&run.half_theta),
+        half_omega: of(&run.half_omega),
+        row: good,
+    }
+}
+
+/// Rows that do not follow where those around them do, by the exact motion; they are taken out.
+fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
+    let here = applied(data, &motion.fit);
+    let rows = data.row.len();
+    if rows < 8 || !data.even || motion.fraction > 0.3 {
+        return Vec::new();
+    }
+    // Of so many rows each is looked at.
+    let pairs: Vec<_> = (0..rows).filter_map(|i| data.pair(i, 1)).take(200_000).collect();
+    let residuals: Vec<[f64; 2]> = pairs.iter().map(|pair| here.residual(pair)).collect();
+    let bounds: Vec<[f64; 2]> = pairs.iter().map(|pair| here.bound(pair)).collect();
+    let strange = |n: usize| {
+        (0..data.entries()).any(|entry| {
+            let near = (n.saturating_sub(5)..(n + 6).min(pairs.len())).filter(|&m| m != n);
+            let mut around: Vec<f64> = near.map(|m| residuals[m][entry]).collect();
+            around.sort_by(f64::total_cmp);
+            let middle = around[around.len() / 2];
+            let spread = around[around.len() * 3 / 4] - around[around.len() / 4];
+            let apart = (residuals[n][entry] - middle).abs();
+            let limit = 12.0 * spread + 6.0 * bounds[n][entry];
+            apart.is_nan() || limit.is_nan() || apart > limit
+        })
+    };
+    let bad: Vec<usize> = (0..pairs.len()).filter(|&n| strange(n)).collect();
+    if bad.is_empty() || bad.len() * 5 > pairs.len() {
+        return Vec::new();
+    }
+    let mut faults = Vec::new();
+    let mut out: Vec<usize> = Vec::new();
+    let mut late: Vec<(usize, i64)> = Vec::new();
+    let mut n = 0;
+    while n < bad.len() {
+        let mut last = n;
+        while last + 1 < bad.len() && bad[last + 1] == bad[last] + 1 {
+            last += 1;
+        }
+        let [first_pair, last_pair] = [bad[n], bad[last]];
+        let [i, j, _] = pairs[first_pair].rows;
+        let wide = usize::from(!data.has_velocities());
+        let single = last_pair - first_pair <= wide;
+        // A state that has gone on further, or not at all, is where the times have not.
+        let jump = (first_pair..=last_pair).take(2).find_map(|n| {
+            let [i, j, _] = pairs[n].rows;
+            Some((j, gone_on(data, motion, i, j)?))
+        });
+        if let Some((j, by)) = jump {
+            faults.push(match by {
+                0 => Fault::StateRepeated { row: data.row[j] + 1 },
+                by => Fault::TimesLate { row: data.row[j] + 1, by: by as usize - 1 },
+            });
+            late.push((j, by - 1));
+        } else if single {
+            let [i, j] =
+                if data.has_velocities() { [i, j] } else { [j, pairs[first_pair].rows[2]] };
+            if first_pair == 0 {
+                faults.push(Fault::Edited { row: data.row[i] + 1 });
+                out.push(0);
+            } else {
+                faults.push(Fault::Edited { row: data.row[j] + 1 });
+                out.push(j);
+            }
+        } else {
+            // All rows between the first pair and the last.
+            let begin = if first_pair == 0 && !data.has_velocities() { i } else { j };
+            let begin = if data.has_velocities() { begin } else { pairs[first_pair].rows[2] };
+            let end = pairs[last_pair].rows[0];
+            for row in begin..=end.max(begin) {
+                faults.push(Fault::Edited { row: data.row[row] + 1 });
+                out.push(row);
+            }
+        }
+        n = last + 1;
+    }
+    for (from, by) in late {
+        for place in &mut data.at[from..] {
+            *place += by;
+        }
+    }
+    remove(data, &out);
+    faults.truncate(faults::MOST);
+    faults
+}
+
+/// How many places the state has gone on from row i to row j, if not one.
+fn gone_on(data: &Data, motion: &Motion, i: usize, j: usize) -> Option<i64> {
+    if !data.has_velocities() {
+        return None;
+    }
+    let here = applied(data, &motion.fit);
+    let z = [data.theta[i], data.omega[i]];
+    let rate = libm::fmax(here.equation.rate(), 1e-9);
+    let off = |by: i64| {
+        let end = here.advance(data.t[i], z, by as f64 * data.spacing, 1);
+        libm::hypot(end[0] - data.theta[j], (end[1] - data.omega[j]) / rate)
+    };
+    let step = libm::hypot(
+        here.advance(data.t[i], z, data.spacing, 1)[0] - z[0],
+        (here.advance(data.t[i], z, data.spacing, 1)[1] - z[1]) / rate,
+    );
+    [0, 2, 3, 4].into_iter().find(|&by| off(by) < 0.1 * step)
+}
+
+fn remove(data: &mut Data, out: &[usize]) {
+    let keep: Vec<bool> = (0..data.row.len()).map(|i| !out.contains(&i)).collect();
+    fn sieve<T: Copy>(xs: &mut Vec<T>, keep: &[bool]) {
+        if !xs.is_empty() {
+            let kept = xs.iter().zip(keep).filter(|(_, keep)| **keep).map(|(x, _)| *x).collect();
+            *xs = kept;
+        }
+    }
+    sieve(&mut data.row, &keep);
+    sieve(&mut data.at, &keep);
+    for xs in
+        [&mut data.t, &mut data.theta, &mut data.omega, &mut data.half_theta, &mut data.half_omega]
+    {
+        sieve(xs, &keep);
+    }
+}
+
+/// Who made the rows, and what follows.
+fn make(report: &mut RunReport, data: &mut Data, motions: Vec<Motion>) {
+    let mut found = Found::default();
+    let mut used = motions;
+    look(data, &used, &mut found);
+    let none = found.agree.is_empty() && found.motion.is_none() && data.row.len() > 20;
+    if none && let Some(drive) = search::drive(data) {
+        let driven = search::motions(data, Some(drive));
+        let before = used.first().map_or(f64::INFINITY, |motion| motion.fit.mean);
+        if driven.first().is_some_and(|motion| motion.fit.mean < 0.3 * before) {
+            look(data, &driven, &mut found);
+            // A drive that explains a tenth of what is left is one; otherwise it fits a method.
+            let much = driven.first().is_some_and(|motion| motion.fit.mean < 0.03 * before);
+            if much || !found.agree.is_empty() || found.motion.is_some() {
+                used = driven;
+            }
+        }
+    }
+    let Some(motion) = used.first().cloned() else { return };
+    if let Some(motion) = found.motion.filter(|_| found.agree.is_empty()) {
+        report.equation = Some(equation(&motion));
+        let by = distinguish(data);
+        report.maker = Maker::OneOf { methods: Vec::new(), count: 0, exact: true, by };
+        report.compared.0 = report.compared.1.min(200);
+        report.end = Some(at_the_end(data, &motion));
+        return;
+    }
+    if found.agree.is_empty() {
+        match noise(data, &motion) {
+            Some(noise) if motion.fit.mean > 3.0 => {
+                let fit = search::long_fit(data, &motion).unwrap_or(motion.fit);
+                report.equation = Some(equation(&fit));
+                report.maker = Maker::Measured { noise };
+            }
+            _ if motion.fraction < 0.5 => {
+                report.equation = Some(equation(&motion.fit));
+                let nearest = found.near.first().or(found.nearest.as_ref());
+                let nearest = nearest.map(|fit| (name(fit), fit.worst));
+                report.maker = Maker::Unknown { nearest, exact: motion.fit.worst };
+            }
+            _ => {}
+        }
+        report.compared.0 = report.compared.1.min(200);
+        return;
+    }
+    decide(report, data, &found);
+
+    report.end = Some(at_the_end(data, &found.agree[0]));
+}
+
+fn look(data: &Data, motions: &[Motion], found: &mut Found) {
+    let Some(best) = motions.first() else { return };
+    let limit = 10.0 * libm::fmax(best.fit.mean, 0.5);
+    for motion in motions.iter().filter(|motion| motion.fit.mean <= limit) {
+        search::search(data, motion, found);
+        if found.exact {
+            break;
+        }
+    }
+    search::sharpen(data, found);
+    found.agree = found.agree.iter().filter_map(|fit| agrees_in_all(data, fit)).collect();
+}
+
+/// A candidate that agrees in some pairs has to agree in all, with numbers that are fitted to the
+/// worst of them too.
+fn agrees_in_all(data: &Data, fit: &Fit) -> Option<Fit> {
+    let older = match fit.map {
+        Map::Steps(candidate, _) => candidate.older(),
+        Map::Exact => 0,
+    };
+    let mut all = data.pairs(1, MOST_COMPARED);
+    // The older states of a method of several steps are not there in the first rows.
+    all.retain(|pair| pair.rows[0] >= older);
+    let mut some: Vec<_> = all.iter().step_by(all.len() / 60 + 1).copied().collect();
+    let mut best = *fit;
+    let damped = best.equation.c != 0.0;
+    let numbers = search::active(data, damped, best.equation.drive[2] != 0.0);
+    for _ in 0..4 {
+        let here = applied(data, &best);
+        let off = |pair: &fit::Pair| {
+            let (residual, bound) = (here.residual(pair), here.bound(pair));
+            (0..data.entries()).map(|n| (residual[n] / bound[n]).abs()).fold(0.0, f64::max)
+        };
+        let mut worst: Vec<(f64, fit::Pair)> = all.iter().map(|pair| (off(pair), *pair)).collect();
+        worst.sort_by(|a, b| b.0.total_cmp(&a.0));
+        best.worst = worst[0].0;
+        if best.worst <= 1.0 {
+            return Some(best);
+        }
+        if best.worst.is_nan() || best.worst >= 100.0 {
+            return None;
+        }
+        some.extend(worst.iter().take(20).map(|(_, pair)| *pair));
+        let known_to = best.known_to;
+        best = Fit { known_to, ..fit::fit(here, &some, &numbers, true)? };
+    }
+    // What is left are numbers that are not quite those that would make the worst pair least.
+    (best.worst <= SLACK).then_some(best)
+}
+
+fn name(fit: &Fit) -> String {
+    match fit.map {
+        Map::Exact => String::new(),
+        Map::Steps(candidate, _) => candidate.name.to_string(),
+    }
+}
+
+/// The method, if it is one, or those that are left.
+fn decide(report: &mut RunReport, data: &Data, found: &Found) {
+    let mut agree = found.agree.clone();
+    // Methods before mistakes, sine before others, then what has the fewest steps.
+    let rank = |fit: &Fit| match fit.map {
+        Map::Steps(candidate, steps) => (!candidate.right, fit.equation.force as usize, steps),
+        Map::Exact => (true, 0, 0),
+    };
+    agree.sort_by_key(rank);
+    let best = agree[0];
+    let mut same = Vec::new();
+    let mut others = Vec::new();
+    for fit in agree[1..].iter().chain(&found.near) {
+        match search::same(data, &best, fit) {
+            Some(k) => same.push((name(fit), k)),
+            None => others.push(*fit),
+        }
+    }
+    // Mistakes in this method that are another k, far from where the search began.
+    if let Map::Steps(candidate, steps) = best.map {
+        same.extend(search::relatives(data, &best, candidate.name, steps));
+    }
+    same.sort_by(|a, b| a.0.cmp(&b.0));
+    same.dedup_by(|a, b| a.0 == b.0);
+    report.equation = Some(equation(&best));
+    report.compared.0 = report.compared.1.min(MOST_COMPARED);
+    // Without velocities methods that differ in nothing but these have the same angles.
+    let hidden = !data.has_velocities() && same.iter().any(|(name, _)| is_right(name));
+    if others.is_empty() && !found.exact && !hidden {
+        report.maker = Maker::Method(Box::new(made(data, &best, same)));
+        return;
+    }
+    let by = distinguish(data);
+    let mut names: Vec<&str> = Vec::new();
+    let mut listed = vec![made(data, &best, same)];
+    for fit in &others {
+        let Map::Steps(candidate, _) = fit.map else { continue };
+        if candidate.name != listed[0].name && !names.contains(&candidate.name) {
+            names.push(candidate.name);
+            if listed.len() < MOST_LISTED {
+                listed.push(made(data, fit, Vec::new()));
+            }
+        }
+    }
+    let count = 1 + names.len();
+    report.maker = Maker::OneOf { methods: listed, count, exact: found.exact, by };
+}
+
+/// What would tell apart methods that are left.
+fn distinguish(data: &Data) -> Vec<Distinguish> {
+    let mut by = Vec::new();
+    if !data.has_velocities() {
+        by.push(Distinguish::Velocity);
+    }
+    let digits = data.half_theta.iter().copied().fold(0.0, f64::max) > 1e-15;
+    if digits {
+        by.push(Distinguish::Digits);
+    }
+    by.push(Distinguish::LongerStep);
+    if data.row.len() < 50 {
+        by.push(Distinguish::Rows);
+    }
+    by
+}
+
+fn is_right(name: &str) -> bool {
+    candidates::named(name).is_some_and(|candidate| candidate.right)
+}
+
+fn known(value: f64, known_to: f64) -> Known {
+    let size = libm::floor(libm::log10(libm::fmax(value.abs(), 1e-300))) as i32;
+    let near =
+        |digits: i32| Some(rounded(value, digits - size)).filter(|x| (x - value).abs() <= known_to);
+    Known { value, known_to, short: (0..17).find_map(near).unwrap_or(value) }
+}
+
+fn equation(fit: &Fit) -> FoundEquation {
+    let candidates::Equation { force, k, c, drive: [a, b, frequency] } = fit.equation;
+    let to = fit.known_to;
+    let amplitude = libm::hypot(a, b);
+    let drive = (frequency != 0.0).then(|| {
+        let of_a = libm::fmax(to[3], to[4]);
+        [
+            known(amplitude, of_a),
+            known(frequency, to[5]),
+            known(libm::atan2(-b, a), of_a / amplitude),
+        ]
+    });
+    let damping = (c != 0.0).then(|| known(c, to[1]));
+    FoundEquation { force, k: known(k, to[0]), damping, drive }
+}
+
+fn made(data: &Data, fit: &Fit, same: Vec<(String, f64)>) -> Made {
+    let Map::Steps(candidate, steps) = fit.map else { unreachable!("a candidate's steps") };
+    let mistake =
+        crate::known_answers::mistakes().iter().find(|known| known.name == candidate.name);
+    let mistake = mistake.and_then(|known| known.mistake.as_ref());
+    Made {
+        name: candidate.name.to_string(),
+        mistake: mistake.map(|wrong| [wrong.of.clone(), wrong.what.clone(), wrong.effect.clone()]),
+        steps,
+        step: data.spacing / f64::from(steps),
+        equation: equation(fit),
+        off: fit.worst,
+        same,
+    }
+}
+
+/// The standard deviation of the angles' noise, if what is left is noise: no smooth function of the
+/// state explains a fifth of it.
+fn noise(data: &Data, motion: &Motion) -> Option<f64> {
+    let pairs = data.pairs(1, 2000);
+    if pairs.len() < 30 {
+        return None;
+    }
+    let here = applied(data, &motion.fit);
+    let left: Vec<f64> = pairs.iter().map(|pair| here.residual(pair)[0]).collect();
+    if left.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let span = data.spacing;
+    let state = |pair: &fit::Pair| {
+        let [i, j, _] = pair.rows;
+        (data.theta[i], (data.theta[j] - data.theta[i]) / span)
+    };
+    let scale = |of: fn((f64, f64)) -> f64| {
+        pairs.iter().map(|pair| of(state(pair)).abs()).fold(1e-300, f64::max)
+    };
+    let (a, b) = (scale(|z| z.0), scale(|z| z.1));
+    let mut columns = Vec::new();
+    for (m, n) in [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)] {
+        let value = |pair: &fit::Pair| {
+            let (x, y) = state(pair);
+            (x / a).powi(m) * (y / b).powi(n)
+        };
+        columns.push(pairs.iter().map(value).collect::<Vec<f64>>());
+    }
+    let smooth = search::unexplained(&columns, &left);
+    // z' - M(z) of two noises with velocities, of three angles without: 1, 2, 1.
+    let of_one = if data.has_velocities() { libm::sqrt(2.0) } else { libm::sqrt(6.0) };
+    (smooth > 0.8).then(|| fit::mean(&left) / of_one)
+}
+
+/// What follows from the method that was found.
+fn at_the_end(data: &Data, best: &Fit) -> AtTheEnd {
+    let (first, last) = (0, data.row.len() - 1);
+    let equation = best.equation;
+    let time = data.t[last] - data.t[first];
+    let here = applied(data, best);
+    let velocity = |i: usize, j: usize| match data.omega.get(i) {
+        Some(omega) => Some(*omega),
+        None => {
+            let pair = data.pair(i, 1)?;
+            (pair.rows[1] == j).then(|| here.velocity(&pair, data.theta[i], data.theta[j]))?
+        }
+    };
+    let start = [data.theta[first], velocity(first, first + 1).unwrap_or(0.0)];
+    let end = search::exact_end(&equation, data.t[first], start, time);
+    let angle = data.theta[last] - end[0];
+    let plain = equation.c == 0.0 && equation.drive[2] == 0.0;
+    let depth = |theta: f64| match equation.force {
+        Force::Sine => Some(2.0 * libm::pow(libm::sin(0.5 * theta), 2.0)),
+        Force::Linear => Some(0.5 * theta * theta),
+        _ => None,
+    };
+    let energy = |z: [f64; 2]| Some(0.5 * z[1] * z[1] + equation.k * depth(z[0])?);
+    let energy = data.omega.last().filter(|_| plain).and_then(|omega| {
+        let (first, last) = (energy(start)?, energy([data.theta[last], *omega])?);
+        (first > 0.0).then(|| (last - first) / first)
+    });
+    let steps = match best.map {
+        Map::Steps(_, steps) => steps,
+        Map::Exact => 1,
+    };
+    let count = libm::round(time / data.spacing) as u64 * u64::from(steps);
+    let others = ["stormer-verlet", "rk4"].into_iter().filter_map(|name| {
+        let candidate = candidates::named(name)?;
+        let count = u32::try_from(count).ok().filter(|&count| count <= 100_000_000)?;
+        let h = time / f64::from(count);
+        let z = candidate.run(&equation, data.t[first], start, h, count);
+        Some((name.to_string(), z[0] - end[0])).filter(|(_, off)| off.is_finite())
+    });
+    AtTheEnd { angle, energy, others: others.collect(), time }
+}
+
+#[cfg(test)]
+mod tests;
