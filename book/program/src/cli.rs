@@ -63,8 +63,9 @@ pub enum Command {
     Verify(verify::Arguments),
     /// Say which equation and which method a table of a run was made with
     #[command(display_order = 3, after_help = examples(&[
-        "pendula simulate --method rk4 --theta0 1 --dt 0.1 --steps 99 > rk4.csv; \
-         pendula identify rk4.csv",
+        "pendula simulate --method heun --theta0 1 --dt 0.1 --steps 99 | pendula identify",
+        "pendula simulate --method rk4 --theta0 2 --dt 0.1 --steps 99 | \
+         pendula identify --format json",
     ]))]
     Identify(identify::Arguments),
     /// Integrate a system, and print a row of each time and state

@@ -14,6 +14,8 @@
 equations, :func:`judge_solver` a solver with a tolerance. :func:`serve` makes a script a program
 for the command `pendula verify`.
 
+From the rows of a run :func:`identify_run` says which equation and which method made them.
+
 Without the program, :func:`identify` says which integrator, or which mistake, the numbers after one
 step are of, and :func:`check_right_hand_side` and :func:`check_energy` which usual mistake there is
 in the accelerations and the energy of pendulums. The former reads :func:`known_answers`.
@@ -25,6 +27,7 @@ from .identity import Entry, Identity, identify
 from .judging import Cause, Property, Report, judge, judge_rate, judge_solver, program, serve
 from .known import known_answers
 from .right_hand_sides import Compared, WrongTerm, check_energy, check_right_hand_side
+from .rows import Run, identify_run
 
 __all__ = [
     "Cause",
@@ -36,11 +39,13 @@ __all__ = [
     "Property",
     "Rate",
     "Report",
+    "Run",
     "State",
     "WrongTerm",
     "check_energy",
     "check_right_hand_side",
     "identify",
+    "identify_run",
     "judge",
     "judge_rate",
     "judge_solver",

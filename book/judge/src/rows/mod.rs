@@ -153,7 +153,7 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
     let pairs: Vec<_> = (0..rows).filter_map(|i| data.pair(i, 1)).take(200_000).collect();
     let residuals: Vec<[f64; 2]> = pairs.iter().map(|pair| here.residual(pair)).collect();
     let bounds: Vec<[f64; 2]> = pairs.iter().map(|pair| here.bound(pair)).collect();
-    let strange = |n: usize| {
+    let strange = |n: usize, times: f64| {
         (0..data.entries()).any(|entry| {
             let near = (n.saturating_sub(5)..(n + 6).min(pairs.len())).filter(|&m| m != n);
             let mut around: Vec<f64> = near.map(|m| residuals[m][entry]).collect();
@@ -161,11 +161,11 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
             let middle = around[around.len() / 2];
             let spread = around[around.len() * 3 / 4] - around[around.len() / 4];
             let apart = (residuals[n][entry] - middle).abs();
-            let limit = 12.0 * spread + 6.0 * bounds[n][entry];
+            let limit = times * (12.0 * spread + 6.0 * bounds[n][entry]);
             apart.is_nan() || limit.is_nan() || apart > limit
         })
     };
-    let bad: Vec<usize> = (0..pairs.len()).filter(|&n| strange(n)).collect();
+    let bad: Vec<usize> = (0..pairs.len()).filter(|&n| strange(n, 1.0)).collect();
     if bad.is_empty() || bad.len() * 5 > pairs.len() {
         return Vec::new();
     }
@@ -194,19 +194,18 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
             });
             late.push((j, by - 1));
         } else if single {
-            let [i, j] =
-                if data.has_velocities() { [i, j] } else { [j, pairs[first_pair].rows[2]] };
-            if first_pair == 0 {
-                faults.push(Fault::Edited { row: data.row[i] + 1 });
-                out.push(0);
-            } else {
-                faults.push(Fault::Edited { row: data.row[j] + 1 });
-                out.push(j);
+            // The first row or the last: that the rows beyond fit together cannot be asked.
+            let at_an_end = match first_pair {
+                0 => Some(i),
+                _ if last_pair + 1 == pairs.len() => Some(pairs[last_pair].rows[2]),
+                _ => None,
+            };
+            if let Some(row) = at_an_end.filter(|_| strange(first_pair, 20.0)) {
+                faults.push(Fault::Edited { row: data.row[row] + 1 });
+                out.push(row);
             }
-        } else {
-            // All rows between the first pair and the last.
-            let begin = if first_pair == 0 && !data.has_velocities() { i } else { j };
-            let begin = if data.has_velocities() { begin } else { pairs[first_pair].rows[2] };
+        } else if bridged(data, motion, &residuals[first_pair..=last_pair], i) {
+            let begin = if data.has_velocities() { j } else { pairs[first_pair].rows[2] };
             let end = pairs[last_pair].rows[0];
             for row in begin..=end.max(begin) {
                 faults.push(Fault::Edited { row: data.row[row] + 1 });
@@ -223,6 +222,16 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
     remove(data, &out);
     faults.truncate(faults::MOST);
     faults
+}
+
+/// Whether the row after those that are off follows from row i, the one before them: then they were
+/// edited, and are not where a method's error is large.
+fn bridged(data: &Data, motion: &Motion, residuals: &[[f64; 2]], i: usize) -> bool {
+    let here = applied(data, &motion.fit);
+    let Some(pair) = data.pair(i, residuals.len() as u32) else { return false };
+    let over = here.residual(&pair);
+    let sizes = |entry: usize| residuals.iter().map(move |r| r[entry].abs()).fold(0.0, f64::max);
+    (0..data.entries()).all(|entry| over[entry].abs() <= 0.5 * sizes(entry))
 }
 
 /// How many places the state has gone on from row i to row j, if not one.
