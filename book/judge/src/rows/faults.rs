@@ -46,6 +46,13 @@ pub fn find(run: &mut Run) -> (Places, Vec<Fault>) {
 
 /// Undoes the jumps by a full turn.
 fn unwrap(run: &mut Run, good: &[bool], faults: &mut Vec<Fault>) {
+    let known: Vec<f64> = (0..run.theta.len()).filter(|&i| good[i]).map(|i| run.theta[i]).collect();
+    let mut steps: Vec<f64> = known.windows(2).map(|x| (x[1] - x[0]).abs()).collect();
+    steps.sort_by(f64::total_cmp);
+    // Where rows are so far apart, a swing from side to side is as large as a jump.
+    if steps.get(steps.len() / 2).is_none_or(|&middle| middle > 0.8) {
+        return;
+    }
     let (mut turns, mut times, mut first) = (0.0, 0, None);
     let mut before: Option<(f64, f64)> = None;
     for i in (0..run.theta.len()).filter(|&i| good[i]) {

@@ -395,9 +395,9 @@ fn decide(report: &mut RunReport, data: &Data, found: &Found) {
             None => others.push(*fit),
         }
     }
-    // Mistakes in this method that are another k, far from where the search began.
-    if let Map::Steps(candidate, steps) = best.map {
-        same.extend(search::relatives(data, &best, candidate.name, steps));
+    // Mistakes that are another k, far from where the search began.
+    if let Map::Steps(_, steps) = best.map {
+        same.extend(search::relatives(data, &best, steps));
     }
     same.sort_by(|a, b| a.0.cmp(&b.0));
     same.dedup_by(|a, b| a.0 == b.0);

@@ -592,15 +592,13 @@ pub fn long_fit(data: &Data, motion: &Motion) -> Option<Fit> {
     Some(fit)
 }
 
-/// Mistakes in the method of a fit that make the same rows with another k: of half the step, of a
-/// step squared and the like.
-pub fn relatives(data: &Data, best: &Fit, name: &str, steps: u32) -> Vec<(String, f64)> {
+/// Mistakes that make the same rows as a fit with another k: of half the force, of a step squared
+/// and the like.
+pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(String, f64)> {
     let h = data.spacing / f64::from(steps);
-    let mistakes = crate::known_answers::mistakes().iter();
-    let of_it = mistakes.filter(|known| known.mistake.as_ref().is_some_and(|x| x.of == name));
-    let relatives = of_it.filter_map(|known| super::candidates::named(&known.name));
-    let relatives = relatives.filter(|one| one.suits(best.equation.c > 0.0, false));
-    relatives
+    let damped = best.equation.c > 0.0;
+    let wrong = all().iter().filter(|one| !one.right && one.suits(damped, false));
+    wrong
         .filter_map(|one| {
             [1.0, 0.5, 2.0, h, 1.0 / h].into_iter().find_map(|factor| {
                 let equation = Equation { k: best.equation.k * factor, ..best.equation };
