@@ -1,6 +1,7 @@
 //! A thousand random tables of right methods and a thousand of mistakes, which `rows::identify` is
-//! given: no table may be given another's name. Prints how many are named, by digits, and fails if
-//! one is named falsely: `cargo run --release -p pendula-judge --example identify [COUNT]`.
+//! given: no table may be given another's name, and none a list without its maker. Prints how many
+//! are named, by digits, and fails if something false is said of one:
+//! `cargo run --release -p pendula-judge --example identify [COUNT [FROM]]`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,6 +14,8 @@ use pendula_judge::rows::{Force, Maker, identify};
 struct Made {
     text: String,
     name: &'static str,
+    steps: u32,
+    equation: Equation,
     digits: usize,
 }
 
@@ -27,16 +30,29 @@ enum Said {
 }
 
 fn main() -> ExitCode {
-    let count = std::env::args().nth(1).map_or(1000, |count| count.parse().expect("a number"));
+    let mut numbers = std::env::args().skip(1).map(|count| count.parse::<u64>().expect("a number"));
+    let (count, from) = (numbers.next().unwrap_or(1000), numbers.next().unwrap_or(0));
     let mut falsely = 0;
     for (right, what) in [(true, "methods"), (false, "mistakes")] {
         let mut found: BTreeMap<usize, BTreeMap<Said, u32>> = BTreeMap::new();
-        for seed in 0..count {
+        let mut slowest = (0, 0);
+        for seed in from..from + count {
             let Some(made) = table(seed, right) else { continue };
-            let said = said(&made);
-            if said == Said::Falsely {
-                println!("{what} {seed}: {} is named falsely", made.name);
-                falsely += 1;
+            let begun = std::time::Instant::now();
+            let said = match said(&made) {
+                Ok(said) => said,
+                Err(false_word) => {
+                    println!("{what} {seed}: {} in {}: {false_word}", made.name, made.steps);
+                    falsely += 1;
+                    Said::Falsely
+                }
+            };
+            slowest = slowest.max((begun.elapsed().as_millis(), seed));
+            if std::env::var_os("TIMES").is_some() {
+                eprintln!("{what} {seed}: {} in {}, {} ms", made.name, made.steps, begun.elapsed().as_millis());
+            }
+            if said == Said::Other && std::env::var_os("OTHERS").is_some() {
+                println!("{what} {seed}: {} in {} is not named", made.name, made.steps);
             }
             *found.entry(made.digits).or_default().entry(said).or_default() += 1;
         }
@@ -47,20 +63,57 @@ fn main() -> ExitCode {
                 [Said::Named, Said::OneOf, Said::AnyAccurate, Said::Other, Said::Falsely].map(of);
             println!("{digits:2} {a:4} {b:4} {c:4} {d:4} {e:4}");
         }
+        eprintln!("{what}: the slowest took {} ms, of seed {}", slowest.0, slowest.1);
     }
     if falsely == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn said(made: &Made) -> Said {
-    let Ok(report) = identify(made.text.as_bytes()) else { return Said::Other };
-    match report.maker {
-        Maker::Method(method) => {
-            let same = method.same.iter().any(|(name, _)| name == made.name);
-            if method.name == made.name || same { Said::Named } else { Said::Falsely }
+/// What is said of a table, or what is false in it.
+///
+/// A name is right with its steps, or if the maker is among those that are said to have the same
+/// rows; a list, if the maker is in it. Numbers are right within what they are said to be known to.
+/// Rows that no one has touched have no faults, and no noise.
+fn said(made: &Made) -> Result<Said, String> {
+    let Ok(report) = identify(made.text.as_bytes()) else { return Ok(Said::Other) };
+    if let Some(fault) = report.faults.first() {
+        return Err(format!("there is no such fault: {fault}"));
+    }
+    let is_it = |method: &pendula_judge::rows::Made| {
+        let own = method.name == made.name && method.steps == made.steps;
+        own || method.same.iter().any(|(name, _)| *name == made.name)
+    };
+    let numbers = |method: &pendula_judge::rows::Made| {
+        if method.name != made.name || method.steps != made.steps {
+            return Ok(());
         }
-        Maker::OneOf { exact: true, .. } => Said::AnyAccurate,
-        Maker::OneOf { .. } => Said::OneOf,
-        _ => Said::Other,
+        let (k, c) = (method.equation.k, method.equation.damping);
+        let off = (k.value - made.equation.k).abs();
+        let damping = c.map_or(0.0, |c| c.value) - made.equation.c;
+        let c_known_to = c.map_or(1e-9, |c| c.known_to);
+        if method.equation.force != made.equation.force {
+            return Err(format!("another force, {:?}", method.equation.force));
+        }
+        if off > k.known_to.max(1e-12 * made.equation.k) {
+            return Err(format!("k is off: {k:?}, not {}", made.equation.k));
+        }
+        if damping.abs() > c_known_to {
+            return Err(format!("c is off: {c:?}, not {}", made.equation.c));
+        }
+        Ok(())
+    };
+    match &report.maker {
+        Maker::Method(method) if is_it(method) => numbers(method).map(|()| Said::Named),
+        Maker::Method(method) => Err(format!("is said to be {} in {}", method.name, method.steps)),
+        Maker::OneOf { whole: false, .. } => Ok(Said::AnyAccurate),
+        Maker::OneOf { methods, .. } => match methods.iter().find(|method| is_it(method)) {
+            Some(_) => Ok(Said::OneOf),
+            None => {
+                let names = methods.iter().map(|made| format!("{} in {}", made.name, made.steps));
+                Err(format!("is not in the list of {}", names.collect::<Vec<_>>().join(", ")))
+            }
+        },
+        Maker::Measured { noise } => Err(format!("there is no noise of {noise}")),
+        _ => Ok(Said::Other),
     }
 }
 
@@ -117,5 +170,5 @@ fn table(seed: u64, right: bool) -> Option<Made> {
             z = method.run(&equation, t, z, h, every);
         }
     }
-    Some(Made { text, name: method.name, digits })
+    Some(Made { text, name: method.name, steps: every, equation, digits })
 }

@@ -107,7 +107,10 @@ def entry(table):
         "splitting": lambda: splitting(method, table),
         "multistep": lambda: multistep(method, table),
     }.get(method.kind)
-    return {"name": table["name"], "kind": method.kind} | found() if found else None
+    if not found:
+        return None
+    is_wrong = {"wrong": True} if "of" in table else {}
+    return {"name": table["name"], "kind": method.kind} | is_wrong | found()
 
 
 def line(value):

@@ -20,6 +20,8 @@ pub struct Run {
     pub half_theta: Vec<f64>,
     /// The same of each velocity.
     pub half_omega: Vec<f64>,
+    /// Whether all numbers are those of single precision, in which they were computed then.
+    pub single: bool,
 }
 
 /// Words in headings, in some languages.
@@ -131,6 +133,17 @@ pub fn choose(table: &Table) -> Result<(Read, Run), Refusal> {
         run.omega = values(&columns[velocity]);
         run.half_omega = half_omega;
     }
+    run.single = [Some(angle), velocity].into_iter().flatten().all(|i| is_single(&columns[i]));
+    if run.single {
+        // What is computed in single precision is known to half its last bit.
+        for (xs, halves) in
+            [(&run.theta, &mut half_theta), (&run.omega, &mut run.half_omega)]
+        {
+            for (x, half) in xs.iter().zip(halves) {
+                *half = libm::fmax(*half, 0.5 * f64::from(f32::EPSILON) * x.abs());
+            }
+        }
+    }
     let degrees = ["deg", "°", "grad)", "grad]"].iter().any(|x| unit(&columns[angle]).contains(x));
     let radians = unit(&columns[angle]).contains("rad") && !degrees;
     if degrees || (!radians && looks_like_degrees(&run)) {
@@ -159,6 +172,21 @@ fn values(column: &Column) -> Vec<f64> {
     column.cells.iter().map(|cell| cell.value).collect()
 }
 
+/// So many numbers do not end with zeros by chance.
+const MANY: usize = 20;
+
+/// Whether a column's numbers are all those of single precision, with more digits than it has or in
+/// the fewest that read back to them.
+fn is_single(column: &Column) -> bool {
+    let cells = || column.cells.iter().filter(|cell| cell.value.is_finite() && cell.value != 0.0);
+    let long = cells().any(|cell| cell.significant >= 8);
+    let is = |cell: &super::parse::Cell| {
+        let single = cell.value as f32;
+        f64::from(single) == cell.value || single.to_string().parse() == Ok(cell.value)
+    };
+    long && cells().count() > MANY && cells().all(is)
+}
+
 /// Half a unit of the last digit of each number.
 ///
 /// A format with so many decimals has as many in each number, and so has one that drops the zeros
@@ -166,15 +194,19 @@ fn values(column: &Column) -> Vec<f64> {
 /// significant digits, and a number with fewer ends with zeros.
 pub fn halves(column: &Column) -> (Digits, Vec<f64>) {
     let cells = || column.cells.iter().filter(|cell| cell.value.is_finite());
+    let others = || cells().filter(|cell| cell.value != 0.0);
+    // Zeros at the end of all numbers are none of theirs: they were rounded before.
+    let zeros = others().map(|cell| cell.zeros).min().unwrap_or(0);
+    let zeros = if zeros > 0 && others().count() > MANY { zeros } else { 0 };
     let decimals = cells().map(|cell| cell.decimals).max().unwrap_or(0);
     let significant = cells().map(|cell| cell.significant).max().unwrap_or(0);
-    let others = cells().filter(|cell| cell.value != 0.0);
     let [mut all, mut full, mut longest] = [0_usize; 3];
-    for cell in others {
+    for cell in others() {
         all += 1;
         full += usize::from(cell.decimals == decimals);
         longest += usize::from(cell.significant == significant);
     }
+    let (decimals, significant) = (decimals - zeros, significant - zeros);
     // As many with the most decimals as with the most digits: one magnitude, and either is right.
     if full >= longest || full * 10 >= all * 7 && longest * 10 < all * 7 {
         let half = 0.5 * libm::pow(10.0, f64::from(-decimals));

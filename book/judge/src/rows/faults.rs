@@ -37,10 +37,7 @@ pub fn find(run: &mut Run) -> (Places, Vec<Fault>) {
         faults.push(Fault::NoNumber { row: row + 1 });
     }
     unwrap(run, &good, &mut faults);
-    let mut places = places(run, &mut good, &mut faults);
-    if places.even {
-        shift_velocity(run, &mut places, &mut faults);
-    }
+    let places = places(run, &mut good, &mut faults);
     (places, faults)
 }
 
@@ -179,15 +176,15 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
     libm::round(value / unit) * unit
 }
 
-/// Finds by how many rows the velocities are early, and puts them right.
+/// The run with the velocities of the rows before or after, if they fit the angles better.
 ///
 /// The rate of the angle, from row to row before and after, is that at the row to second order; a
-/// method's own velocity may be half a row off, as symplectic Euler's is. So it is a fault from
-/// three quarters of a row on.
-fn shift_velocity(run: &mut Run, places: &mut Places, faults: &mut Vec<Fault>) {
+/// method's own velocity may be half a row off, as symplectic Euler's is. So it may be a fault from
+/// three quarters of a row on. It is one only if something makes the rows with it put right.
+pub fn shifted(run: &Run, places: &Places) -> Option<(Run, Places, Fault)> {
     let rows = run.t.len();
-    if run.omega.is_empty() || rows < 8 {
-        return;
+    if run.omega.is_empty() || rows < 8 || !places.even {
+        return None;
     }
     let next =
         |i: usize| places.at[i + 1] == places.at[i] + 1 && places.good[i] && places.good[i + 1];
@@ -213,11 +210,10 @@ fn shift_velocity(run: &mut Run, places: &mut Places, faults: &mut Vec<Fault>) {
     let ((least, count), shift) = tried[0];
     let unshifted = misfit(0.0).0;
     if count < 4 || shift.abs() < 0.75 || least * 16.0 > unshifted {
-        return;
+        return None;
     }
     let by = if shift > 0.0 { 1 } else { -1 };
-    // Rate at i is the ω of row i + 1: this row shows the ω of the row before.
-    faults.push(Fault::VelocityShifted { rows: -by });
+    let (mut run, mut places) = (run.clone(), places.clone());
     if by > 0 {
         run.omega.rotate_left(1);
         run.half_omega.rotate_left(1);
@@ -228,4 +224,6 @@ fn shift_velocity(run: &mut Run, places: &mut Places, faults: &mut Vec<Fault>) {
     let end = if by > 0 { rows - 1 } else { 0 };
     run.omega[end] = f64::NAN;
     places.good[end] = false;
+    // Rate at i is the ω of row i + 1: this row shows the ω of the row before.
+    Some((run, places, Fault::VelocityShifted { rows: -by }))
 }

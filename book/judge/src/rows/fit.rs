@@ -34,6 +34,8 @@ pub struct Data {
     pub at: Vec<i64>,
     /// The time of each row.
     pub t: Vec<f64>,
+    /// Half a unit of its last digit, where times are not even (s).
+    pub half_t: f64,
     /// Angles and velocities; the latter empty, if there are none.
     pub theta: Vec<f64>,
     /// Velocities.
@@ -42,6 +44,8 @@ pub struct Data {
     pub half_theta: Vec<f64>,
     /// Half a unit of the last digit.
     pub half_omega: Vec<f64>,
+    /// Whether the program computed in single precision.
+    pub single: bool,
 }
 
 /// Rows i, i + lag and, without velocities, i + 2 lag.
@@ -61,6 +65,9 @@ pub enum Map {
     /// So many steps of a candidate from place to place.
     Steps(&'static Candidate, u32),
 }
+
+/// A method of several steps has so many older states at most.
+const MOST_OLDER: usize = 7;
 
 /// The numbers that are fitted: k, c, the spacing as a factor, a, b and Ω.
 pub const NUMBERS: usize = 6;
@@ -84,6 +91,22 @@ pub struct Fit {
     pub known_to: [f64; NUMBERS],
 }
 
+impl Fit {
+    /// How many older states its map needs beside the newest.
+    pub fn older(&self) -> usize {
+        self.map.older()
+    }
+}
+
+impl Map {
+    fn older(&self) -> usize {
+        match self {
+            Self::Steps(candidate, _) => candidate.older(),
+            Self::Exact => 0,
+        }
+    }
+}
+
 impl Data {
     /// Whether there are velocities.
     pub fn has_velocities(&self) -> bool {
@@ -102,6 +125,11 @@ impl Data {
             return Some(guess);
         }
         self.at[i..].binary_search(&place).ok().map(|j| i + j)
+    }
+
+    /// Whether the rows before row i follow each other, as many as any method needs.
+    pub fn has_past(&self, i: usize) -> bool {
+        i >= MOST_OLDER && self.at[i] - self.at[i - MOST_OLDER] == MOST_OLDER as i64
     }
 
     /// The pair that begins with row i.
@@ -134,6 +162,19 @@ impl Data {
         if self.even { self.start + self.at[i] as f64 * self.spacing } else { self.t[i] }
     }
 
+    /// The steps of the exact motion (rad): so short that their error is below a hundredth of the
+    /// digits. Of steps of 0.15 it is below rounding, and it goes with the ninth power.
+    fn exactly(&self) -> f64 {
+        let half = self.half_theta.first().copied().unwrap_or(0.0);
+        if half < 1e-11 {
+            0.15
+        } else if half < 1e-8 {
+            0.3
+        } else {
+            0.5
+        }
+    }
+
     /// How many numbers a pair has.
     pub fn entries(&self) -> usize {
         if self.has_velocities() { 2 } else { 1 }
@@ -158,7 +199,7 @@ impl Applied<'_> {
     pub fn advance(&self, t: f64, z: State, span: f64, lag: u32) -> State {
         let span = span * self.stretch;
         match self.map {
-            Map::Exact => exact(&self.equation, t, z, span),
+            Map::Exact => exact(&self.equation, t, z, span, self.data.exactly()),
             Map::Steps(candidate, steps) => {
                 let steps = steps * lag;
                 candidate.run(&self.equation, t, z, span / f64::from(steps), steps)
@@ -174,6 +215,12 @@ impl Applied<'_> {
         let scale = libm::fmax(omega.abs(), 1e-3 / span);
         let size = libm::fmax(from.abs(), to.abs());
         let mut slope = f64::NAN;
+        // A map's own rounding.
+        let steps = match self.map {
+            Map::Exact => 20,
+            Map::Steps(_, steps) => steps * pair.lag,
+        };
+        let rounding = 4.0 * f64::EPSILON * libm::sqrt(f64::from(steps));
         for round in 0..12 {
             let end = self.advance(t, [from, omega], span, pair.lag)[0];
             // The angle is nearly linear in the velocity: one slope serves some rounds.
@@ -186,7 +233,7 @@ impl Applied<'_> {
                 return None;
             }
             omega += change;
-            if change.abs() <= 2.0 * f64::EPSILON * (size / slope.abs() + omega.abs()) {
+            if change.abs() <= rounding * (size / slope.abs() + omega.abs()) {
                 break;
             }
         }
@@ -234,7 +281,7 @@ impl Applied<'_> {
         if steps != 1 || !follow {
             return [f64::NAN; 2];
         }
-        let mut past = [[0.0; 2]; 8];
+        let mut past = [[0.0; 2]; MOST_OLDER + 1];
         for (n, z) in past[..=older].iter_mut().enumerate() {
             *z = [data.theta[i - n], data.omega[i - n]];
         }
@@ -275,10 +322,7 @@ impl Applied<'_> {
         };
         let size = libm::fmax(data.theta[i].abs(), data.theta[k].abs());
         let sizes = [libm::fmax(size, span * velocity), libm::fmax(velocity, 1e-3 * size / span)];
-        let older = match self.map {
-            Map::Steps(candidate, _) => candidate.older(),
-            Map::Exact => 0,
-        };
+        let older = self.map.older();
         let mut bound = [data.half_theta[k], data.half_omega.get(k).copied().unwrap_or(0.0)];
         let entries = (0..=older).flat_map(|which| [(which, 0), (which, 1)]);
         for ((which, entry), half) in entries.zip(halves.into_iter().cycle()) {
@@ -306,13 +350,14 @@ impl Applied<'_> {
             }
         };
         let time = f64::from(pair.lag) * data.spacing;
-        let of_one = f64::EPSILON * steps * weight;
+        let epsilon = if data.single { f64::from(f32::EPSILON) } else { f64::EPSILON };
+        let of_one = epsilon * steps * weight;
         let k = self.equation.rate() * self.equation.rate();
         let acceleration = k * libm::fmin(1.0, size);
         let theta = of_one * (size + time * velocity / steps);
         let omega = of_one * (velocity + time * acceleration / steps);
-        bound[0] += theta + time * omega;
-        bound[1] += omega + time * k * theta;
+        bound[0] += theta + time * omega + 2.0 * data.half_t * velocity;
+        bound[1] += omega + time * k * theta + 2.0 * data.half_t * acceleration;
         if !data.has_velocities() {
             // The velocity that is found carries the rounding of both angles.
             bound[0] += 4.0 * theta;
@@ -325,16 +370,22 @@ static FINE: LazyLock<&'static Candidate> =
     LazyLock::new(|| named("dormand-prince-8").expect("a method of the tables"));
 
 /// The exact motion over a span that leads from row to row.
-pub fn exact(equation: &Equation, t: f64, z: State, span: f64) -> State {
+pub fn exact(equation: &Equation, t: f64, z: State, span: f64, length: f64) -> State {
     // More is a fit that is lost, at a force that no rows have.
-    exact_within(equation, t, z, span, 1e3)
+    exact_within(equation, t, z, span, length, 1e3)
 }
 
-/// The exact motion: steps of order 8 that are so short that their error is below rounding, but no
-/// more than so many.
-pub fn exact_within(equation: &Equation, t: f64, z: State, span: f64, most: f64) -> State {
+/// The exact motion: steps of order 8 of so many radians, but no more than so many.
+pub fn exact_within(
+    equation: &Equation,
+    t: f64,
+    z: State,
+    span: f64,
+    length: f64,
+    most: f64,
+) -> State {
     let speed = libm::fmax(equation.rate(), 0.3 * z[1].abs());
-    let steps = libm::fmax(libm::ceil(span.abs() * speed / 0.15), 1.0);
+    let steps = libm::fmax(libm::ceil(span.abs() * speed / length), 1.0);
     if steps.is_nan() || steps > most {
         return [f64::NAN; 2];
     }
@@ -462,6 +513,48 @@ fn solve(
     Some((step, spread))
 }
 
+/// A map with numbers that are nearer to the pairs', and how far its states still move in the last
+/// step to them (in bounds).
+///
+/// Gauss and Newton's method converges quadratically where the pairs are the map's own: each step
+/// moves the states about as far as the square of the one before, as a part of how far pairs move.
+pub fn refine<'a>(
+    from: Applied<'a>,
+    pairs: &[Pair],
+    active: &Active,
+    bounds: &[f64],
+    moved: f64,
+) -> Option<(Applied<'a>, f64)> {
+    let known = from.data.spacing_known_to / from.data.spacing;
+    let places: Vec<usize> = (0..NUMBERS).filter(|&n| active[n]).collect();
+    let of = |&n: &usize| if n == 2 { 1.0 / libm::fmax(known * known, 1e-30) } else { 0.0 };
+    let prior: Vec<f64> = places.iter().map(of).collect();
+    let weights = vec![1.0; bounds.len()];
+    let mut here = from;
+    let (mut last, mut effect) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..5 {
+        let Linear { off, slopes, .. } = here.linear(pairs, active, bounds.to_vec());
+        let now = mean(&off);
+        if !now.is_finite() || now > 1.5 * last {
+            return None;
+        }
+        if now <= 1.0 || effect <= 1e-6 * moved {
+            break;
+        }
+        last = now;
+        let (step, _) = solve(&slopes, &off, &weights, (&prior, here.stretch - 1.0))?;
+        let mut moves = vec![0.0; off.len()];
+        let mut numbers = here.numbers();
+        for ((&place, step), slope) in places.iter().zip(&step).zip(&slopes) {
+            numbers[place] += step;
+            moves.iter_mut().zip(slope).for_each(|(x, slope)| *x += step * slope);
+        }
+        effect = mean(&moves);
+        here = here.with(numbers);
+    }
+    effect.is_finite().then_some((here, effect))
+}
+
 /// The root of the mean of the squares.
 pub fn mean(off: &[f64]) -> f64 {
     libm::sqrt(off.iter().map(|x| x * x).sum::<f64>() / off.len().max(1) as f64)
@@ -536,7 +629,10 @@ pub fn fit(from: Applied<'_>, pairs: &[Pair], active: &Active, even_out: bool) -
         if !even_out && moved < 1e-3 {
             break;
         }
-        let settled = !even_out && (cost - now).abs() <= 1e-6 * now;
+        // Far off, and hardly less than before: another map.
+        let is_method = matches!(here.map, Map::Steps(..));
+        let lost = is_method && round >= 2 && now > 30.0 && now > 0.7 * cost;
+        let settled = !even_out && ((cost - now).abs() <= 1e-6 * now || lost);
         cost = now;
         if settled {
             break;

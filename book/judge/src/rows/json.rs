@@ -91,9 +91,7 @@ fn equation(equation: &FoundEquation) -> Value {
 fn made(made: &Made) -> Value {
     json!({
         "name": made.name,
-        "mistake": made.mistake.as_ref().map(|[of, what, effect]| {
-            json!({"of": of, "what": what, "effect": effect})
-        }),
+        "wrong": made.wrong,
         "steps_per_row": made.steps,
         "step": made.step,
         "equation": equation(&made.equation),
@@ -105,11 +103,12 @@ fn made(made: &Made) -> Value {
 fn maker(maker: &Maker) -> Value {
     match maker {
         Maker::Method(method) => json!({"is": "known", "known": [made(method)]}),
-        Maker::OneOf { methods, count, exact, by } => json!({
+        Maker::OneOf { methods, whole, exact, by } => json!({
             "is": "one-of",
             "known": methods.iter().map(made).collect::<Vec<_>>(),
-            "count": count,
-            "exact_motion_too": exact,
+            "whole": whole,
+            "exact_motion_too": exact.is_some(),
+            "exact_motion_off": exact,
             "distinguish": by.iter().map(|by| match by {
                 Distinguish::Velocity => "velocity",
                 Distinguish::Digits => "digits",

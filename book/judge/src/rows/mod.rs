@@ -17,7 +17,7 @@
 //! }
 //! let report = identify(text.as_bytes()).unwrap();
 //! let Maker::Method(made) = &report.maker else { panic!("{report:?}") };
-//! assert_eq!((made.name.as_str(), made.steps, made.step), ("symplectic-euler", 1, 0.02));
+//! assert_eq!((made.name, made.steps, made.step), ("symplectic-euler", 1, 0.02));
 //! assert_eq!(made.equation.k.short, 9.8);
 //! ```
 
@@ -44,12 +44,12 @@ use search::{Found, Motion, applied};
 
 /// More bytes than these are not read.
 pub const MOST_BYTES: usize = 256 << 20;
-/// So many pairs are compared with the method that is found.
+/// So many pairs are compared with the method that is found, and all in all in so many steps.
 const MOST_COMPARED: usize = 20_000;
-/// How far off a pair may be, in bounds, as the fit of the numbers ends before it is the best.
-const SLACK: f64 = 1.1;
-/// So many of them are listed of methods that cannot be told apart.
-const MOST_LISTED: usize = 6;
+const MOST_STEPS_COMPARED: f64 = 2e5;
+/// Where nothing is found that makes the rows, one of them has to be so many times as far off as
+/// otherwise to be told.
+const STICKS_OUT: f64 = 5.0;
 
 /// Says what the rows of a text are.
 ///
@@ -92,19 +92,13 @@ fn identify_table(table: &Table) -> Result<RunReport, Refusal> {
     let (places, mut faults) = faults::find(&mut run);
     read.spacing = places.even.then_some(places.spacing);
     read.spacing_known_to = places.known_to;
-    let mut data = data(&run, &places);
-    let needed = if data.has_velocities() { 4 } else { 7 };
-    if data.row.len() < needed || data.pairs(1, usize::MAX).len() < 3 {
-        return Err(Refusal::TooFewRows { rows: data.row.len(), needed });
+    let written = data(&run, &places);
+    let needed = if written.has_velocities() { 4 } else { 7 };
+    if written.row.len() < needed || written.pairs(1, usize::MAX).len() < 3 {
+        return Err(Refusal::TooFewRows { rows: written.row.len(), needed });
     }
-    let mut motions = search::motions(&data, None);
-    if let Some(best) = motions.first().cloned() {
-        let told = outliers(&mut data, &best);
-        if !told.is_empty() {
-            motions = search::motions(&data, None);
-        }
-        faults.extend(told);
-    }
+    let Tried { data, found, motions, faults: told } = try_all(&run, &places, written);
+    faults.extend(told);
     let mut report = RunReport {
         read,
         faults,
@@ -113,8 +107,119 @@ fn identify_table(table: &Table) -> Result<RunReport, Refusal> {
         compared: (0, data.pairs(1, usize::MAX).len()),
         end: None,
     };
-    make(&mut report, &mut data, motions);
+    make(&mut report, &data, found, &motions);
     Ok(report)
+}
+
+/// Rows, as written or with something put right, and what was found of them.
+struct Tried {
+    data: Data,
+    found: Found,
+    motions: Vec<Motion>,
+    faults: Vec<Fault>,
+}
+
+impl Tried {
+    fn new(data: Data, motions: Vec<Motion>, faults: Vec<Fault>) -> Self {
+        let mut found = Found::default();
+        let mut used = motions;
+        look(&data, &used, &mut found);
+        let mean = |motions: &[Motion]| motions.first().map_or(f64::INFINITY, |it| it.fit.mean);
+        let none = |found: &Found| found.agree.is_empty() && found.motion.is_none();
+        if none(&found) {
+            let others = search::motions(&data, None, &Force::OTHERS);
+            // Another force only where it is much nearer.
+            if mean(&others) < 0.3 * libm::fmax(mean(&used), 3.0) {
+                look(&data, &others, &mut found);
+                used = others;
+            }
+        }
+        if none(&found)
+            && data.row.len() > 20
+            && let Some(drive) = search::drive(&data)
+        {
+            let driven = search::motions(&data, Some(drive), &Force::USUAL);
+            if mean(&driven) < 0.3 * mean(&used) {
+                look(&data, &driven, &mut found);
+                // One that explains all but a thirtieth is a drive; otherwise it fits a method.
+                if mean(&driven) < 0.03 * mean(&used) || !none(&found) {
+                    used = driven;
+                }
+            }
+        }
+        Self { data, found, motions: used, faults }
+    }
+
+    /// What makes all rows: a method, or else the exact motion.
+    fn maker(&self) -> Option<Fit> {
+        self.found.agree.first().copied().or(self.found.motion)
+    }
+}
+
+/// Looks for what made the rows; where nothing made them as they are written, with what seems to be
+/// wrong with them put right.
+///
+/// A row is strange beside what a motion that is only nearly that of the rows makes of it, and a
+/// method may be strange like that somewhere. So a fault is told only if something makes all rows
+/// with it put right and does not make those in which it is. Of rows of which nothing is found, only
+/// what sticks out far more is told.
+fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
+    let motions = search::motions(&written, None, &Force::USUAL);
+    let mend = |times| {
+        let (data, told) = outliers(&written, motions.first()?, times);
+        (!told.is_empty()).then_some((data, told))
+    };
+    if let Some((data, told)) = mend(1.0) {
+        let fitted = search::motions(&data, None, &Force::USUAL);
+        let mut mended = Tried::new(data, fitted, told);
+        if let Some(maker) = mended.maker() {
+            mended.faults.retain(|fault| contradicts(&written, &maker, fault));
+            if !mended.faults.is_empty() {
+                return mended;
+            }
+        }
+    }
+    let as_written = Tried::new(written.clone(), motions.clone(), Vec::new());
+    if as_written.maker().is_some() {
+        return as_written;
+    }
+    if let Some((run, places, told)) = faults::shifted(run, places) {
+        let data = data(&run, &places);
+        let fitted = search::motions(&data, None, &Force::USUAL);
+        let shifted = Tried::new(data, fitted, vec![told]);
+        if shifted.maker().is_some() {
+            return shifted;
+        }
+    }
+    match mend(STICKS_OUT) {
+        Some((data, told)) => {
+            let fitted = search::motions(&data, None, &Force::USUAL);
+            Tried { data, motions: fitted, faults: told, ..as_written }
+        }
+        None => as_written,
+    }
+}
+
+/// Whether what makes the other rows does not make those where a fault is seen.
+fn contradicts(written: &Data, maker: &Fit, fault: &Fault) -> bool {
+    let row = match *fault {
+        Fault::Edited { row } | Fault::TimesLate { row, .. } | Fault::StateRepeated { row } => {
+            row - 1
+        }
+        _ => return true,
+    };
+    let here = applied(written, maker);
+    let older = maker.older();
+    let about = (0..written.row.len()).filter(|&i| written.row[i].abs_diff(row) <= 2);
+    let pairs = about.filter(|&i| i >= older).filter_map(|i| written.pair(i, 1));
+    let mut pairs = pairs.filter(|pair| pair.rows.iter().any(|&i| written.row[i] == row));
+    pairs.any(|pair| {
+        let (residual, bound) = (here.residual(&pair), here.bound(&pair));
+        (0..written.entries()).any(|n| {
+            let off = (residual[n] / bound[n]).abs();
+            off.is_nan() || off > search::APART
+        })
+    })
 }
 
 fn data(run: &Run, places: &Places) -> Data {
@@ -134,20 +239,22 @@ fn data(run: &Run, places: &Places) -> Data {
         even: places.even,
         at,
         t,
+        half_t: if places.even { 0.0 } else { run.half_t },
         theta: of(&run.theta),
         omega: of(&run.omega),
         half_theta: of(&run.half_theta),
         half_omega: of(&run.half_omega),
+        single: run.single,
         row: good,
     }
 }
 
-/// Rows that do not follow where those around them do, by the exact motion; they are taken out.
-fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
+/// Rows that do not follow where those around them do, by the exact motion; and the others.
+fn outliers(data: &Data, motion: &Motion, sticks: f64) -> (Data, Vec<Fault>) {
     let here = applied(data, &motion.fit);
     let rows = data.row.len();
     if rows < 8 || !data.even || motion.fraction > 0.3 {
-        return Vec::new();
+        return (data.clone(), Vec::new());
     }
     // Of so many rows each is looked at.
     let pairs: Vec<_> = (0..rows).filter_map(|i| data.pair(i, 1)).take(200_000).collect();
@@ -161,13 +268,13 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
             let middle = around[around.len() / 2];
             let spread = around[around.len() * 3 / 4] - around[around.len() / 4];
             let apart = (residuals[n][entry] - middle).abs();
-            let limit = times * (12.0 * spread + 6.0 * bounds[n][entry]);
+            let limit = sticks * times * (12.0 * spread + 6.0 * bounds[n][entry]);
             apart.is_nan() || limit.is_nan() || apart > limit
         })
     };
     let bad: Vec<usize> = (0..pairs.len()).filter(|&n| strange(n, 1.0)).collect();
     if bad.is_empty() || bad.len() * 5 > pairs.len() {
-        return Vec::new();
+        return (data.clone(), Vec::new());
     }
     let mut faults = Vec::new();
     let mut out: Vec<usize> = Vec::new();
@@ -214,14 +321,15 @@ fn outliers(data: &mut Data, motion: &Motion) -> Vec<Fault> {
         }
         n = last + 1;
     }
+    let mut data = data.clone();
     for (from, by) in late {
         for place in &mut data.at[from..] {
             *place += by;
         }
     }
-    remove(data, &out);
+    remove(&mut data, &out);
     faults.truncate(faults::MOST);
-    faults
+    (data, faults)
 }
 
 /// Whether the row after those that are off follows from row i, the one before them: then they were
@@ -271,53 +379,28 @@ fn remove(data: &mut Data, out: &[usize]) {
 }
 
 /// Who made the rows, and what follows.
-fn make(report: &mut RunReport, data: &mut Data, motions: Vec<Motion>) {
-    let mut found = Found::default();
-    let mut used = motions;
-    look(data, &used, &mut found);
-    let none = found.agree.is_empty() && found.motion.is_none() && data.row.len() > 20;
-    if none && let Some(drive) = search::drive(data) {
-        let driven = search::motions(data, Some(drive));
-        let before = used.first().map_or(f64::INFINITY, |motion| motion.fit.mean);
-        if driven.first().is_some_and(|motion| motion.fit.mean < 0.3 * before) {
-            look(data, &driven, &mut found);
-            // A drive that explains a tenth of what is left is one; otherwise it fits a method.
-            let much = driven.first().is_some_and(|motion| motion.fit.mean < 0.03 * before);
-            if much || !found.agree.is_empty() || found.motion.is_some() {
-                used = driven;
-            }
-        }
-    }
-    let Some(motion) = used.first().cloned() else { return };
-    if let Some(motion) = found.motion.filter(|_| found.agree.is_empty()) {
+fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
+    let Some(motion) = motions.first() else { return };
+    report.compared.0 = report.compared.1.min(found.compared);
+    if !found.agree.is_empty() {
+        let best = decide(report, data, &found);
+        report.end = Some(at_the_end(data, &best));
+    } else if let Some(motion) = found.motion {
         report.equation = Some(equation(&motion));
         let by = distinguish(data);
-        report.maker = Maker::OneOf { methods: Vec::new(), count: 0, exact: true, by };
-        report.compared.0 = report.compared.1.min(200);
+        report.maker =
+            Maker::OneOf { methods: Vec::new(), whole: false, exact: Some(motion.worst), by };
         report.end = Some(at_the_end(data, &motion));
-        return;
+    } else if let Some(noise) = noise(data, motion).filter(|_| motion.fit.mean > 3.0) {
+        let fit = search::long_fit(data, motion).unwrap_or(motion.fit);
+        report.equation = Some(equation(&fit));
+        report.maker = Maker::Measured { noise };
+    } else if motion.fraction < 0.5 {
+        report.equation = Some(equation(&motion.fit));
+        let nearest = found.near.first().or(found.nearest.as_ref());
+        let nearest = nearest.map(|fit| (name(fit), fit.worst));
+        report.maker = Maker::Unknown { nearest, exact: motion.fit.worst };
     }
-    if found.agree.is_empty() {
-        match noise(data, &motion) {
-            Some(noise) if motion.fit.mean > 3.0 => {
-                let fit = search::long_fit(data, &motion).unwrap_or(motion.fit);
-                report.equation = Some(equation(&fit));
-                report.maker = Maker::Measured { noise };
-            }
-            _ if motion.fraction < 0.5 => {
-                report.equation = Some(equation(&motion.fit));
-                let nearest = found.near.first().or(found.nearest.as_ref());
-                let nearest = nearest.map(|fit| (name(fit), fit.worst));
-                report.maker = Maker::Unknown { nearest, exact: motion.fit.worst };
-            }
-            _ => {}
-        }
-        report.compared.0 = report.compared.1.min(200);
-        return;
-    }
-    decide(report, data, &found);
-
-    report.end = Some(at_the_end(data, &found.agree[0]));
 }
 
 fn look(data: &Data, motions: &[Motion], found: &mut Found) {
@@ -325,60 +408,71 @@ fn look(data: &Data, motions: &[Motion], found: &mut Found) {
     let limit = 10.0 * libm::fmax(best.fit.mean, 0.5);
     for motion in motions.iter().filter(|motion| motion.fit.mean <= limit) {
         search::search(data, motion, found);
-        if found.exact {
+        if found.exact || found.many {
             break;
         }
     }
     search::sharpen(data, found);
-    found.agree = found.agree.iter().filter_map(|fit| agrees_in_all(data, fit)).collect();
+    // Many that agree, or many steps from row to row, are compared in fewer rows.
+    let steps = |fit: &Fit| if let Map::Steps(_, steps) = fit.map { f64::from(steps) } else { 20.0 };
+    let all: f64 = found.agree.iter().chain(&found.motion).map(steps).sum();
+    found.compared = (MOST_STEPS_COMPARED / all).clamp(500.0, MOST_COMPARED as f64) as usize;
+    for fit in std::mem::take(&mut found.agree) {
+        if let Some(fit) = in_all(data, &fit, found.compared) {
+            found.sort_in(fit);
+        }
+    }
+    found.motion = found.motion.and_then(|motion| in_all(data, &motion, found.compared));
+    found.motion = found.motion.filter(|motion| motion.worst < search::APART);
+    found.exact &= found.motion.is_some();
+    found.agree.sort_by(|a, b| a.worst.total_cmp(&b.worst));
 }
 
-/// A candidate that agrees in some pairs has to agree in all, with numbers that are fitted to the
-/// worst of them too.
-fn agrees_in_all(data: &Data, fit: &Fit) -> Option<Fit> {
-    let older = match fit.map {
-        Map::Steps(candidate, _) => candidate.older(),
-        Map::Exact => 0,
-    };
-    let mut all = data.pairs(1, MOST_COMPARED);
+/// The fit of what agrees in some pairs to all of them, with numbers that are fitted to the worst of
+/// them too.
+fn in_all(data: &Data, fit: &Fit, most: usize) -> Option<Fit> {
+    let older = fit.older();
+    let mut all = data.pairs(1, most);
     // The older states of a method of several steps are not there in the first rows.
     all.retain(|pair| pair.rows[0] >= older);
     let mut some: Vec<_> = all.iter().step_by(all.len() / 60 + 1).copied().collect();
     let mut best = *fit;
+    let mut least: Option<Fit> = None;
     let damped = best.equation.c != 0.0;
     let numbers = search::active(data, damped, best.equation.drive[2] != 0.0);
-    for _ in 0..4 {
+    for _ in 0..5 {
         let here = applied(data, &best);
         let off = |pair: &fit::Pair| {
             let (residual, bound) = (here.residual(pair), here.bound(pair));
-            (0..data.entries()).map(|n| (residual[n] / bound[n]).abs()).fold(0.0, f64::max)
+            let off = (0..data.entries()).map(|n| (residual[n] / bound[n]).abs());
+            off.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
         };
         let mut worst: Vec<(f64, fit::Pair)> = all.iter().map(|pair| (off(pair), *pair)).collect();
         worst.sort_by(|a, b| b.0.total_cmp(&a.0));
-        best.worst = worst[0].0;
-        if best.worst <= 1.0 {
-            return Some(best);
+        best.worst = worst.first()?.0;
+        if least.is_none_or(|least| best.worst < least.worst) {
+            least = Some(best);
         }
-        if best.worst.is_nan() || best.worst >= 100.0 {
-            return None;
+        if best.worst <= 1.0 || best.worst >= 100.0 {
+            break;
         }
         some.extend(worst.iter().take(20).map(|(_, pair)| *pair));
         let known_to = best.known_to;
-        best = Fit { known_to, ..fit::fit(here, &some, &numbers, true)? };
+        let Some(next) = fit::fit(here, &some, &numbers, true) else { break };
+        best = Fit { known_to, ..next };
     }
-    // What is left are numbers that are not quite those that would make the worst pair least.
-    (best.worst <= SLACK).then_some(best)
+    least
 }
 
-fn name(fit: &Fit) -> String {
+fn name(fit: &Fit) -> &'static str {
     match fit.map {
-        Map::Exact => String::new(),
-        Map::Steps(candidate, _) => candidate.name.to_string(),
+        Map::Exact => "",
+        Map::Steps(candidate, _) => candidate.name,
     }
 }
 
 /// The method, if it is one, or those that are left.
-fn decide(report: &mut RunReport, data: &Data, found: &Found) {
+fn decide(report: &mut RunReport, data: &Data, found: &Found) -> Fit {
     let mut agree = found.agree.clone();
     // Methods before mistakes, sine before others, then what has the fewest steps.
     let rank = |fit: &Fit| match fit.map {
@@ -399,30 +493,23 @@ fn decide(report: &mut RunReport, data: &Data, found: &Found) {
     if let Map::Steps(_, steps) = best.map {
         same.extend(search::relatives(data, &best, steps));
     }
-    same.sort_by(|a, b| a.0.cmp(&b.0));
+    same.sort_by(|a, b| a.0.cmp(b.0));
     same.dedup_by(|a, b| a.0 == b.0);
     report.equation = Some(equation(&best));
-    report.compared.0 = report.compared.1.min(MOST_COMPARED);
     // Without velocities methods that differ in nothing but these have the same angles.
     let hidden = !data.has_velocities() && same.iter().any(|(name, _)| is_right(name));
-    if others.is_empty() && !found.exact && !hidden {
+    if others.is_empty() && !found.exact && !found.many && !hidden {
         report.maker = Maker::Method(Box::new(made(data, &best, same)));
-        return;
+        return best;
     }
     let by = distinguish(data);
-    let mut names: Vec<&str> = Vec::new();
-    let mut listed = vec![made(data, &best, same)];
-    for fit in &others {
-        let Map::Steps(candidate, _) = fit.map else { continue };
-        if candidate.name != listed[0].name && !names.contains(&candidate.name) {
-            names.push(candidate.name);
-            if listed.len() < MOST_LISTED {
-                listed.push(made(data, fit, Vec::new()));
-            }
-        }
-    }
-    let count = 1 + names.len();
-    report.maker = Maker::OneOf { methods: listed, count, exact: found.exact, by };
+    let mut methods = vec![made(data, &best, same)];
+    let of = |fit: &Fit| matches!(fit.map, Map::Steps(..)).then(|| made(data, fit, Vec::new()));
+    methods.extend(others.iter().filter_map(of));
+    let exact = found.motion.filter(|_| found.exact).map(|motion| motion.worst);
+    let whole = exact.is_none() && !found.many;
+    report.maker = Maker::OneOf { methods, whole, exact, by };
+    best
 }
 
 /// What would tell apart methods that are left.
@@ -469,14 +556,11 @@ fn equation(fit: &Fit) -> FoundEquation {
     FoundEquation { force, k: known(k, to[0]), damping, drive }
 }
 
-fn made(data: &Data, fit: &Fit, same: Vec<(String, f64)>) -> Made {
+fn made(data: &Data, fit: &Fit, same: Vec<(&'static str, f64)>) -> Made {
     let Map::Steps(candidate, steps) = fit.map else { unreachable!("a candidate's steps") };
-    let mistake =
-        crate::known_answers::mistakes().iter().find(|known| known.name == candidate.name);
-    let mistake = mistake.and_then(|known| known.mistake.as_ref());
     Made {
-        name: candidate.name.to_string(),
-        mistake: mistake.map(|wrong| [wrong.of.clone(), wrong.what.clone(), wrong.effect.clone()]),
+        name: candidate.name,
+        wrong: !candidate.right,
         steps,
         step: data.spacing / f64::from(steps),
         equation: equation(fit),
@@ -485,39 +569,73 @@ fn made(data: &Data, fit: &Fit, same: Vec<(String, f64)>) -> Made {
     }
 }
 
-/// The standard deviation of the angles' noise, if what is left is noise: no smooth function of the
-/// state explains a fifth of it.
+/// The standard deviation of the angles' noise, if what the motion leaves is noise.
+///
+/// What a method with steps of one length leaves is a function of the state: smooth along the run,
+/// so what is left of one pair is nearly what is left of the next (correlation near 1), or it
+/// changes sign from step to step (near −1, and near 1 with the next but one). Noise δ in each angle
+/// leaves δ' − Jδ, with J near 1 where rows are near each other: neighbours have a correlation of
+/// −1/2, of −2/3 where the velocities are angles' differences, and the next but one have 0 or 1/6.
+/// And no smooth function of the state explains it. That rounding is not taken for noise, the noise
+/// has to be larger than single precision's.
 fn noise(data: &Data, motion: &Motion) -> Option<f64> {
-    let pairs = data.pairs(1, 2000);
-    if pairs.len() < 30 {
+    const LEAST_PAIRS: usize = 40;
+    let pairs = data.pairs(1, usize::MAX);
+    let pairs = &pairs[..pairs.len().min(2000)];
+    let here = applied(data, &motion.fit);
+    let rows_are_near = here.equation.rate() * data.spacing < 0.5;
+    if pairs.len() < LEAST_PAIRS || !data.even || !rows_are_near {
         return None;
     }
-    let here = applied(data, &motion.fit);
     let left: Vec<f64> = pairs.iter().map(|pair| here.residual(pair)[0]).collect();
     if left.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let span = data.spacing;
+    let alike = |lag: usize| {
+        let products = left.iter().zip(&left[lag..]).map(|(a, b)| a * b);
+        products.sum::<f64>() / left.iter().map(|x| x * x).sum::<f64>()
+    };
     let state = |pair: &fit::Pair| {
         let [i, j, _] = pair.rows;
-        (data.theta[i], (data.theta[j] - data.theta[i]) / span)
+        (data.theta[i], (data.theta[j] - data.theta[i]) / data.spacing)
     };
-    let scale = |of: fn((f64, f64)) -> f64| {
-        pairs.iter().map(|pair| of(state(pair)).abs()).fold(1e-300, f64::max)
-    };
-    let (a, b) = (scale(|z| z.0), scale(|z| z.1));
-    let mut columns = Vec::new();
-    for (m, n) in [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)] {
-        let value = |pair: &fit::Pair| {
-            let (x, y) = state(pair);
-            (x / a).powi(m) * (y / b).powi(n)
+    let fastest = pairs.iter().map(|pair| state(pair).1.abs()).fold(1e-300, f64::max);
+    let widest = pairs.iter().map(|pair| state(pair).0.abs()).fold(1e-300, f64::max);
+    type Of = fn(f64, f64, f64) -> f64;
+    // Of θ, ω as a part of the largest, and θ so.
+    let functions: [Of; 14] = [
+        |_, _, _| 1.0,
+        |_, v, _| v,
+        |_, v, _| v * v,
+        |_, v, _| v * v * v,
+        |q, _, _| libm::sin(q),
+        |q, _, _| libm::cos(q),
+        |q, _, _| libm::sin(2.0 * q),
+        |q, _, _| libm::cos(2.0 * q),
+        |q, v, _| v * libm::sin(q),
+        |q, v, _| v * libm::cos(q),
+        |q, v, _| v * v * libm::sin(q),
+        |q, v, _| v * v * libm::cos(q),
+        |_, _, x| x,
+        |_, _, x| x * x * x,
+    ];
+    let column = |of: &Of| {
+        let of = |pair| {
+            let (theta, rate) = state(pair);
+            of(theta, rate / fastest, theta / widest)
         };
-        columns.push(pairs.iter().map(value).collect::<Vec<f64>>());
-    }
-    let smooth = search::unexplained(&columns, &left);
+        pairs.iter().map(of).collect::<Vec<f64>>()
+    };
+    let columns: Vec<_> = functions.iter().map(column).collect();
+    // Of so many numbers as many functions explain a part by chance.
+    let count = left.len() as f64;
+    let chance = libm::sqrt(1.0 - functions.len() as f64 / count);
+    let rough = search::unexplained(&columns, &left) / chance > 0.8;
     // z' - M(z) of two noises with velocities, of three angles without: 1, 2, 1.
     let of_one = if data.has_velocities() { libm::sqrt(2.0) } else { libm::sqrt(6.0) };
-    (smooth > 0.8).then(|| fit::mean(&left) / of_one)
+    let noise = fit::mean(&left) / of_one;
+    let large = noise > 1e-5 * widest;
+    (rough && large && alike(1) < -0.25 && alike(2).abs() < 0.45).then_some(noise)
 }
 
 /// What follows from the method that was found.
@@ -554,10 +672,10 @@ fn at_the_end(data: &Data, best: &Fit) -> AtTheEnd {
     let count = libm::round(time / data.spacing) as u64 * u64::from(steps);
     let others = ["stormer-verlet", "rk4"].into_iter().filter_map(|name| {
         let candidate = candidates::named(name)?;
-        let count = u32::try_from(count).ok().filter(|&count| count <= 100_000_000)?;
+        let count = u32::try_from(count).ok().filter(|&count| count <= 5_000_000)?;
         let h = time / f64::from(count);
         let z = candidate.run(&equation, data.t[first], start, h, count);
-        Some((name.to_string(), z[0] - end[0])).filter(|(_, off)| off.is_finite())
+        Some((name, z[0] - end[0])).filter(|(_, off)| off.is_finite())
     });
     AtTheEnd { angle, energy, others: others.collect(), time }
 }

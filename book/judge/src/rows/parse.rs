@@ -11,10 +11,12 @@ pub struct Cell {
     pub decimals: i32,
     /// Digits from the first that is not 0 on, with the zeros at the end.
     pub significant: i32,
+    /// How many zeros there are at the end.
+    pub zeros: i32,
 }
 
 impl Cell {
-    const NOTHING: Self = Self { value: f64::NAN, decimals: 0, significant: 0 };
+    const NOTHING: Self = Self { value: f64::NAN, decimals: 0, significant: 0, zeros: 0 };
 
     /// The shortest digits that read back to it.
     pub fn of(value: f64) -> Self {
@@ -220,12 +222,14 @@ fn is_no_number(word: &str) -> bool {
 fn read(word: &str, point: char) -> Option<Cell> {
     let mut text = String::with_capacity(word.len());
     let (mut decimals, mut significant, mut after, mut leading) = (0, 0, false, true);
+    let mut zeros = 0;
     let mut exponent = None;
     for (at, c) in word.char_indices() {
         match c {
             '0'..='9' => {
                 text.push(c);
                 leading &= c == '0';
+                zeros = if c == '0' { zeros + 1 } else { 0 };
                 significant += i32::from(!leading);
                 decimals += i32::from(after);
             }
@@ -250,7 +254,7 @@ fn read(word: &str, point: char) -> Option<Cell> {
         decimals -= shift;
     }
     let value: f64 = text.parse().ok()?;
-    value.is_finite().then_some(Cell { value, decimals, significant })
+    value.is_finite().then_some(Cell { value, decimals, significant, zeros })
 }
 
 #[cfg(test)]

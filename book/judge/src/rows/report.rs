@@ -198,9 +198,9 @@ pub struct FoundEquation {
 #[non_exhaustive]
 pub struct Made {
     /// Its name among the known answers.
-    pub name: String,
-    /// What is wrong with it: what, and what comes of it; nothing with a method.
-    pub mistake: Option<[String; 3]>,
+    pub name: &'static str,
+    /// Whether it is a mistake, not a method.
+    pub wrong: bool,
     /// How many steps lead from row to row.
     pub steps: u32,
     /// Their length (s).
@@ -210,7 +210,7 @@ pub struct Made {
     /// How far off the worst row is, in what rounding of both rows does.
     pub off: f64,
     /// Others that make the same rows to the last bit of a double, with another k perhaps.
-    pub same: Vec<(String, f64)>,
+    pub same: Vec<(&'static str, f64)>,
 }
 
 /// What would tell apart those that are left.
@@ -235,12 +235,14 @@ pub enum Maker {
     Method(Box<Made>),
     /// One of these, or another that is as near.
     OneOf {
-        /// The nearest first.
+        /// The likeliest first.
         methods: Vec<Made>,
-        /// How many are left in all.
-        count: usize,
-        /// Whether the exact motion has these rows, too.
-        exact: bool,
+        /// Whether these are all that are left. Where the exact motion makes the rows, too, or
+        /// many methods do, they are examples.
+        whole: bool,
+        /// How far off the exact motion is, in what rounding of both rows does, if it is not ten
+        /// times as far off: then no method can be told.
+        exact: Option<f64>,
         /// What would tell them apart.
         by: Vec<Distinguish>,
     },
@@ -249,14 +251,14 @@ pub enum Maker {
         /// Its standard deviation (rad).
         noise: f64,
     },
-    /// None that is known.
+    /// None of the known ones was found to make them.
     Unknown {
         /// How far off the nearest is, in what rounding of both rows does.
-        nearest: Option<(String, f64)>,
+        nearest: Option<(&'static str, f64)>,
         /// How far off the exact motion is.
         exact: f64,
     },
-    /// No equation of a pendulum describes the rows.
+    /// No equation of a pendulum was found that describes the rows.
     NoPendulum,
 }
 
@@ -269,7 +271,7 @@ pub struct AtTheEnd {
     /// Of the energy, as a fraction of that of the first row above rest; without drag and drive.
     pub energy: Option<f64>,
     /// What the angle is off with another method and the same steps: its name and that.
-    pub others: Vec<(String, f64)>,
+    pub others: Vec<(&'static str, f64)>,
     /// The time from the first row to the last (s).
     pub time: f64,
 }

@@ -2,7 +2,7 @@
 
 use super::candidates::{Candidate, Equation, all};
 use super::fit::{
-    Active, Applied, Data, Fit, Map, Pair, exact_within, first_guess, fit, mean, worst,
+    Active, Applied, Data, Fit, Map, Pair, exact_within, first_guess, fit, mean, refine, worst,
 };
 use super::report::Force;
 
@@ -16,8 +16,16 @@ const PAIRS: usize = 120;
 const FEW: usize = 16;
 /// As many that agree are enough to say that they cannot be told apart.
 const ENOUGH: usize = 6;
-/// So many steps are fitted for every candidate, as what they lead to may be far from the motion.
-const CRUDE: u32 = 4;
+/// A fit agrees that is off by no more bounds: what is left above 1 are numbers that are not quite
+/// those that would make the worst pair least.
+pub const AGREES: f64 = 1.1;
+/// A candidate's error that is a larger part of what the states move is not judged to first order:
+/// it is fitted.
+const CRUDE: f64 = 0.01;
+/// One that is a larger part is of another motion.
+const FAR: f64 = 0.3;
+/// As many are too many for a list.
+const MANY: usize = 24;
 /// What most programs have.
 const USUAL: [&str; 8] = [
     "rk4",
@@ -56,8 +64,12 @@ pub struct Found {
     pub lag: u32,
     /// Whether the exact motion is not ten times as far off as what is found.
     pub exact: bool,
-    /// The exact motion, if it agrees.
+    /// Whether there are more that agree than were looked at.
+    pub many: bool,
+    /// The exact motion, if it is not ten times as far off.
     pub motion: Option<Fit>,
+    /// In how many pairs at most all that agree were compared.
+    pub compared: usize,
 }
 
 /// Which numbers are fitted.
@@ -66,8 +78,8 @@ pub fn active(data: &Data, damped: bool, driven: bool) -> Active {
     [true, damped, loose && data.has_velocities(), driven, driven, driven]
 }
 
-/// Fits the exact motion of each force; the best first.
-pub fn motions(data: &Data, driven: Option<[f64; 3]>) -> Vec<Motion> {
+/// Fits the exact motion of each of these forces; the best first.
+pub fn motions(data: &Data, driven: Option<[f64; 3]>, forces: &[Force]) -> Vec<Motion> {
     let pairs = data.pairs(1, 40);
     let numbers = active(data, true, driven.is_some());
     let whole = |fit: Fit| {
@@ -84,25 +96,21 @@ pub fn motions(data: &Data, driven: Option<[f64; 3]>) -> Vec<Motion> {
         let from = Applied { data, map: Map::Exact, equation, stretch: 1.0 };
         fit(from, &pairs, &numbers, false).map(whole)
     };
-    let mut found: Vec<Motion> = Force::ALL.into_iter().filter_map(of).collect();
+    let mut found: Vec<Motion> = forces.iter().filter_map(|&force| of(force)).collect();
     // Rows that are far apart: no difference of two rows is near a rate.
     let bad = found.iter().all(|motion| motion.fraction.is_nan() || motion.fraction >= 0.01);
     if bad && data.has_velocities() && driven.is_none() {
-        let scan = |force| from_a_scan(data, force, &numbers).map(whole);
-        found.extend([Force::Sine, Force::Linear].into_iter().filter_map(scan));
+        let scan = |&force: &Force| from_a_scan(data, force, &numbers).map(whole);
+        let usual = forces.iter().filter(|force| Force::USUAL.contains(force));
+        found.extend(usual.filter_map(scan));
     }
     found.sort_by(|a, b| a.middle.total_cmp(&b.middle));
-    // The sine and the angle itself are what programs have: another only where it is much nearer.
-    let usual = |motion: &Motion| matches!(motion.fit.equation.force, Force::Sine | Force::Linear);
-    let best = found.iter().find(|motion| usual(motion)).map_or(f64::INFINITY, |x| x.fit.mean);
-    let limit = 0.3 * libm::fmax(best, 3.0);
     let mut seen = Vec::new();
     found.retain(|motion| {
         let new = !seen.contains(&motion.fit.equation.force);
         seen.push(motion.fit.equation.force);
         new
     });
-    found.retain(|motion| usual(motion) || motion.fit.mean < limit);
     found
 }
 
@@ -214,6 +222,248 @@ fn lag(data: &Data, motion: &Motion) -> u32 {
     chosen
 }
 
+/// A candidate with a number of steps that is worth a fit, and how far off it seems.
+struct Wanted {
+    left: f64,
+    candidate: &'static Candidate,
+    steps: u32,
+    /// The equation to begin with.
+    equation: Equation,
+}
+
+/// The exact motion over some pairs, and all that candidates are held against there.
+struct About<'a> {
+    here: Applied<'a>,
+    few: Vec<Pair>,
+    bounds: Vec<f64>,
+    /// How far off it is, in bounds.
+    off: Vec<f64>,
+    /// That without what other numbers would make of it.
+    away: Vec<f64>,
+    flat: Flat,
+    moved: f64,
+    numbers: Active,
+}
+
+impl<'a> About<'a> {
+    fn new(here: Applied<'a>, few: Vec<Pair>, numbers: &Active) -> Self {
+        let base = here.linear(&few, numbers, here.bounds(&few));
+        let flat = Flat::new(&base.slopes);
+        let away = flat.project(&base.off);
+        let moved = mean(&here.moves(&few, &base.bounds));
+        let numbers = *numbers;
+        Self { here, few, bounds: base.bounds, off: base.off, away, flat, moved, numbers }
+    }
+
+    /// The steps of a candidate that are worth a fit.
+    ///
+    /// Of the maker, with its own numbers, the pairs are off by at most 1. The exact motion was
+    /// fitted to them, so its numbers are others: by δ, which moves the states about as far as the
+    /// maker's error e does. At the exact motion's numbers the maker is then off by what δ does to
+    /// first order, which the projection takes away, and by the second order and the change of the
+    /// derivative, each of which is |e| times e's part of what the states move, `crude`, times a
+    /// factor of some units (the period's power in k, and the angle in radians that a pair goes).
+    /// So much, tenfold, is allowed for.
+    ///
+    /// The error of steps in between is that of their neighbours on the ladder, linear in a power of
+    /// their length that the neighbours show; a tenth of their difference is allowed for, or a third
+    /// of itself.
+    fn wanted(&self, candidate: &'static Candidate, exact: bool) -> Vec<Wanted> {
+        let mut wanted = Vec::new();
+        let mut before: Option<Error> = None;
+        let (mut least, mut factors) = (0, 0);
+        for steps in LADDER {
+            if steps < least {
+                continue;
+            }
+            // The older states are rows.
+            if steps > 1 && candidate.older() > 0 {
+                break;
+            }
+            let mut there = Applied { map: Map::Steps(candidate, steps), ..self.here };
+            let mut off = there.off(&self.few, &self.bounds);
+            let crude_of = |off: &[f64]| {
+                let raw = self.off.iter().zip(off).map(|(a, b)| a - b);
+                mean(&raw.collect::<Vec<_>>()) / self.moved
+            };
+            let mut crude = crude_of(&off);
+            // Not this motion with these numbers: perhaps with another k.
+            if !(crude <= FAR) {
+                if steps <= 4 && self.refined(&there, steps).is_some_and(|error| error.fits(self)) {
+                    let equation = there.equation;
+                    wanted.push(Wanted { left: crude, candidate, steps, equation });
+                }
+                factors += 1;
+                let other = if factors <= 8 { self.with_another_k(&there) } else { None };
+                let Some(other) = other else {
+                    before = None;
+                    continue;
+                };
+                there = other;
+                off = there.off(&self.few, &self.bounds);
+                crude = crude_of(&off);
+                if !(crude <= FAR) {
+                    before = None;
+                    continue;
+                }
+            }
+            let mut error = self.error(&there, steps, &off, crude);
+            // To first order it cannot be said: with numbers that are nearer.
+            if error.left(&self.away) <= error.allowed() && error.allowed() > 6.0 {
+                if let Some(better) = self.refined(&there, steps) {
+                    error = better;
+                }
+            }
+            let left = error.left(&self.away);
+            if left <= error.allowed() {
+                let equation = error.equation;
+                wanted.push(Wanted { left, candidate, steps, equation });
+                // Of those that are accurate enough an example is enough.
+                if exact {
+                    break;
+                }
+            }
+            let crude = error.crude;
+            let small = mean(&error.flat);
+            if let Some(old) = before.as_ref().filter(|_| !exact) {
+                wanted.extend(self.between(candidate, old, &error));
+                // Smaller than what the rows have, and still shrinking.
+                let shrinks = small < 0.8 * mean(&old.flat);
+                if shrinks && crude < CRUDE && left > 0.5 * mean(&self.away) && self.past(&error) {
+                    break;
+                }
+            }
+            if small < 0.03 && crude < CRUDE {
+                break;
+            }
+            least = self.next(before.as_ref(), &error);
+            before = Some(error);
+        }
+        wanted
+    }
+
+    fn error(&self, there: &Applied<'a>, steps: u32, off: &[f64], crude: f64) -> Error {
+        let raw: Vec<f64> = self.off.iter().zip(off).map(|(a, b)| a - b).collect();
+        let size = crude * self.moved;
+        Error { steps, flat: self.flat.project(&raw), size, crude, equation: there.equation }
+    }
+
+    /// The error with numbers that are nearer to those that the candidate would have.
+    fn refined(&self, there: &Applied<'a>, steps: u32) -> Option<Error> {
+        let some: Vec<Pair> = self.few.iter().step_by(2).copied().collect();
+        let entries = self.here.data.entries();
+        let bounds: Vec<f64> =
+            self.bounds.chunks(entries).step_by(2).flatten().copied().collect();
+        let (there, effect) = refine(*there, &some, &self.numbers, &bounds, self.moved)?;
+        let off = there.off(&self.few, &self.bounds);
+        worst(&off).is_finite().then(|| self.error(&there, steps, &off, effect / self.moved))
+    }
+
+    /// With the k that a mistake has, of half the force, of a step squared and the like, if that is
+    /// nearer to the motion.
+    fn with_another_k(&self, there: &Applied<'a>) -> Option<Applied<'a>> {
+        let Map::Steps(_, steps) = there.map else { return None };
+        let h = self.here.data.spacing / f64::from(steps);
+        let some = &self.few[..self.few.len().min(4)];
+        let entries = self.here.data.entries() * some.len();
+        let with = |factor: f64| {
+            let equation = Equation { k: there.equation.k * factor, ..there.equation };
+            let other = Applied { equation, ..*there };
+            let off = other.off(some, &self.bounds[..entries]);
+            let raw = self.off.iter().zip(&off).map(|(a, b)| a - b);
+            (mean(&raw.collect::<Vec<_>>()), other)
+        };
+        let tried = [0.5, 2.0, h, 1.0 / h, h * h, 1.0 / (h * h)].map(with);
+        let finite = tried.into_iter().filter(|(off, _)| off.is_finite());
+        let (off, other) = finite.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (off <= FAR * self.moved).then_some(other)
+    }
+
+    /// Whether the error is less than half of what it would have to be, and so are those of shorter
+    /// steps.
+    fn past(&self, error: &Error) -> bool {
+        mean(&error.flat) < 0.4 * mean(&self.away) && mean(&self.away) > 10.0
+    }
+
+    /// From how many steps on it goes on: where the error goes with a power of the steps' length,
+    /// those are left out that are twice as long as what the rows would have.
+    fn next(&self, before: Option<&Error>, error: &Error) -> u32 {
+        let Some(old) = before.filter(|_| error.crude < CRUDE) else { return 0 };
+        let (oo, oe, ee) =
+            (dot(&old.flat, &old.flat), dot(&old.flat, &error.flat), dot(&error.flat, &error.flat));
+        let power = error.power(old);
+        if oe < 0.98 * libm::sqrt(oo * ee) || power < 0.7 {
+            return 0;
+        }
+        let ratio = mean(&error.flat) / libm::fmax(mean(&self.away), 1.0);
+        let half = 0.5 * f64::from(error.steps) * libm::pow(ratio, 1.0 / power);
+        // Far from there the power itself still changes.
+        if half > f64::from(MOST_STEPS) && error.steps >= 4 {
+            return MOST_STEPS + 1;
+        }
+        libm::fmin(half, 3.0 * f64::from(error.steps)) as u32
+    }
+
+    fn between(&self, candidate: &'static Candidate, old: &Error, new: &Error) -> Vec<Wanted> {
+        let power = new.power(old).clamp(0.3, 16.0);
+        let at = |steps: u32| libm::pow(f64::from(steps), -power);
+        let apart: Vec<f64> = old.flat.iter().zip(&new.flat).map(|(a, b)| a - b).collect();
+        let spread = 0.1 * mean(&apart);
+        let of = |steps| {
+            let part = (at(steps) - at(new.steps)) / (at(old.steps) - at(new.steps));
+            let flat: Vec<f64> =
+                new.flat.iter().zip(&apart).map(|(error, apart)| error + part * apart).collect();
+            let loose = libm::fmin(spread, 0.3 * mean(&flat));
+            let Error { size, crude, equation, .. } = *old;
+            let error = Error { steps, flat, size, crude, equation };
+            let mut error = error;
+            if error.left(&self.away) > error.allowed() + loose {
+                return None;
+            }
+            let map = Map::Steps(candidate, steps);
+            error = self.refined(&Applied { map, equation, ..self.here }, steps)?;
+            let left = error.left(&self.away);
+            error.fits(self).then_some(Wanted { left, candidate, steps, equation: error.equation })
+        };
+        (old.steps + 1..new.steps).filter_map(of).collect()
+    }
+}
+
+/// The error of so many steps of a candidate, in bounds.
+struct Error {
+    steps: u32,
+    /// What no other numbers would make of it.
+    flat: Vec<f64>,
+    size: f64,
+    crude: f64,
+    equation: Equation,
+}
+
+impl Error {
+    fn fits(&self, about: &About<'_>) -> bool {
+        self.left(&about.away) <= self.allowed()
+    }
+
+    fn left(&self, away: &[f64]) -> f64 {
+        mean(&away.iter().zip(&self.flat).map(|(a, b)| a - b).collect::<Vec<_>>())
+    }
+
+    /// How far off the maker may seem; see [`About::wanted`].
+    fn allowed(&self) -> f64 {
+        3.0 + 10.0 * self.crude * self.size
+    }
+
+    /// The power of the steps' length that the error goes with.
+    fn power(&self, old: &Self) -> f64 {
+        libm::log(mean(&old.flat) / mean(&self.flat))
+            / libm::log(f64::from(self.steps) / f64::from(old.steps))
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// Searches all candidates about one motion.
 pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     let lag = lag(data, motion);
@@ -221,8 +471,14 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     let driven = motion.fit.equation.drive[2] != 0.0;
     let damped = motion.fit.equation.c > 0.0;
     let numbers = active(data, true, driven);
-    let few = data.pairs(lag, FEW);
-    let many = data.pairs(lag, PAIRS);
+    // With the rows before them that methods of several steps need, if there are so many.
+    let pairs = |most| {
+        let all = data.pairs(lag, most);
+        let with_past: Vec<Pair> =
+            all.iter().copied().filter(|pair| data.has_past(pair.rows[0])).collect();
+        if with_past.len() * 2 > all.len() { with_past } else { all }
+    };
+    let (few, many) = (pairs(FEW), pairs(PAIRS));
     // The exact motion over these spans.
     let Some(whole) = fit(applied(data, &motion.fit), &few, &numbers, false) else { return };
     let here = applied(data, &whole);
@@ -231,101 +487,44 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
         found.exact |= best.worst < APART;
         found.motion = found.motion.or(Some(best).filter(|fit| fit.worst < APART));
     }
-    let base = here.linear(&few, &numbers, here.bounds(&few));
-    let flat = Flat::new(&base.slopes);
-    let away = flat.project(&base.off);
-    let distance = mean(&away);
-    let moved = mean(&here.moves(&few, &base.bounds));
-    let mut wanted: Vec<(f64, &'static Candidate, u32)> = Vec::new();
+    // No steps of one length lead from row to row.
+    if !data.even {
+        return;
+    }
     // Where the exact motion agrees some examples are enough.
     let looked_at = |candidate: &&Candidate| {
         candidate.suits(damped, driven) && (!found.exact || USUAL.contains(&candidate.name))
     };
+    let about = About::new(here, few, &numbers);
+    let mut wanted: Vec<Wanted> = Vec::new();
     for candidate in all().iter().filter(looked_at) {
-        if candidate.older() > 0 {
-            if data.has_velocities() {
-                wanted.push((0.0, candidate, 1));
-            }
-            continue;
-        }
-        let mut before: Option<(u32, Vec<f64>)> = None;
-        for steps in LADDER {
-            let map = Map::Steps(candidate, steps);
-            let there = Applied { map, ..here };
-            let off = there.off(&few, &base.bounds);
-            if !worst(&off).is_finite() {
-                continue;
-            }
-            let error: Vec<f64> = base.off.iter().zip(&off).map(|(a, b)| a - b).collect();
-            let error = flat.project(&error);
-            let left: Vec<f64> = away.iter().zip(&error).map(|(a, b)| a - b).collect();
-            let left = mean(&left);
-            // What is found to the first order in the numbers is improved by a fit: by how much,
-            // goes with how large the error is.
-            let crude = mean(&error) / moved;
-            let worth = crude > 0.01 && lag == 1 && steps <= CRUDE;
-            if worth || left <= libm::fmax(3.0, (0.1 + 20.0 * crude).min(0.6) * distance) {
-                wanted.push((left, candidate, steps));
-            }
-            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let ee = dot(&error, &error);
-            if libm::sqrt(ee / error.len() as f64) < 0.03 {
-                break;
-            }
-            // Short steps: the error keeps its direction, and goes with a power of their number.
-            // So it is known with how many steps it would be that of the rows.
-            if let Some((fewer, old)) = before.as_ref().filter(|_| crude < 0.02) {
-                let oo = dot(old, old);
-                if dot(old, &error) > 0.98 * libm::sqrt(oo * ee) {
-                    let power =
-                        0.5 * libm::log(oo / ee) / libm::log(f64::from(steps) / f64::from(*fewer));
-                    let ratio = dot(&away, &error) / ee;
-                    let along = ratio * libm::sqrt(ee / dot(&away, &away));
-                    if power > 0.3 && along > 0.6 && ratio < 1.0 {
-                        let middle = f64::from(steps) * libm::pow(ratio, -1.0 / power);
-                        // Far from there the power itself still changes.
-                        if middle > 2.5 * f64::from(steps) && middle < 1e3 {
-                            before = Some((steps, error));
-                            continue;
-                        }
-                        let spread = libm::ceil(0.03 * middle) as u32;
-                        let middle = libm::round(middle) as u32;
-                        let about = middle.saturating_sub(spread).max(steps + 1)..=middle + spread;
-                        let about = about.filter(|&n| n <= MOST_STEPS);
-                        wanted.extend(about.map(|n| (0.0, candidate, n)));
-                    } else if along > 0.6 && ratio < 1.0 {
-                        before = Some((steps, error));
-                        continue;
-                    }
-                    break;
-                }
-            }
-            before = Some((steps, error));
+        if candidate.older() == 0 || data.has_velocities() {
+            wanted.extend(about.wanted(candidate, found.exact));
         }
     }
-    wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if std::env::var_os("DBG").is_some() { eprintln!("DBG lag {lag} exact {} wanted {} distance {:.3e} moved {:.3e} t {:?}", found.exact, wanted.len(), mean(&about.away), about.moved, DBG0.elapsed());
+        let mut h = std::collections::BTreeMap::new();
+        for w in &wanted { *h.entry(w.candidate.name).or_insert(0) += 1; }
+        let mut v: Vec<_> = h.into_iter().collect(); v.sort_by_key(|x| -x.1); eprintln!("{:?}", &v[..v.len().min(12)]); }
+    wanted.sort_by(|a, b| a.left.total_cmp(&b.left));
     if found.exact {
-        wanted.sort_by_key(|(_, candidate, steps)| (!candidate.right, *steps));
+        wanted.sort_by_key(|wanted| (!wanted.candidate.right, wanted.steps));
         wanted.truncate(2 * ENOUGH);
     }
-    for (_, candidate, steps) in wanted {
-        // Where the exact motion agrees, every method does that is accurate enough.
-        if found.exact && found.agree.len() >= ENOUGH {
+    for Wanted { candidate, steps, equation, .. } in wanted {
+        // Where the exact motion agrees, every method does that is accurate enough; and a list of
+        // many says no more than that it cannot be told.
+        if found.exact && found.agree.len() >= ENOUGH || found.agree.len() >= MANY {
+            found.many = true;
             break;
         }
         let map = Map::Steps(candidate, steps);
         // Few pairs say whether all are worth it.
-        // The older states of a method of several steps are not there in the first rows.
-        let with_past = |most| {
-            let mut pairs = data.pairs(lag, most);
-            pairs.retain(|pair| pair.rows[0] >= candidate.older());
-            pairs
-        };
-        let pairs = if candidate.older() > 0 { with_past(FEW) } else { few.clone() };
-        let free = Equation { c: 0.0, ..here.equation };
-        let from = |equation| fit(Applied { map, equation, ..here }, &pairs, &numbers, false);
-        let mut first = from(here.equation);
-        if first.is_none_or(|fit| fit.mean > APART) && steps <= CRUDE {
+        let pairs = &about.few;
+        let free = Equation { c: 0.0, ..equation };
+        let from = |equation| fit(Applied { map, equation, ..here }, pairs, &numbers, false);
+        let mut first = from(equation);
+        if first.is_none_or(|fit| fit.mean > APART) {
             let again = from(free).filter(|fit| first.is_none_or(|old| fit.mean < old.mean));
             first = again.or(first);
         }
@@ -338,22 +537,11 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
             }
             continue;
         }
-        let pairs = if candidate.older() > 0 {
-            with_past(PAIRS)
-        } else if found.exact {
-            few.clone()
-        } else {
-            many.clone()
-        };
-        let Some(best) = best_of(data, map, first.equation, &pairs, &numbers) else { continue };
-        if best.worst <= 1.0 {
-            found.agree.push(best);
-        } else if best.worst < APART {
-            found.near.push(best);
-        } else {
-            keep(&mut found.nearest, best);
-        }
+        let pairs = if found.exact { pairs } else { &many };
+        let Some(best) = best_of(data, map, first.equation, pairs, &numbers) else { continue };
+        found.sort_in(best);
     }
+    if std::env::var_os("DBG").is_some() { eprintln!("DBG fits done agree {} near {} t {:?}", found.agree.len(), found.near.len(), DBG0.elapsed()); }
     for list in [&mut found.agree, &mut found.near] {
         list.sort_by(|a, b| a.worst.total_cmp(&b.worst));
         let mut seen: Vec<(&str, u32, Force)> = Vec::new();
@@ -364,6 +552,19 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
             seen.push(key);
             new
         });
+    }
+}
+
+impl Found {
+    /// Puts a fit where it belongs.
+    pub fn sort_in(&mut self, fit: Fit) {
+        if fit.worst <= AGREES {
+            self.agree.push(fit);
+        } else if fit.worst < APART {
+            self.near.push(fit);
+        } else {
+            keep(&mut self.nearest, fit);
+        }
     }
 }
 
@@ -379,24 +580,17 @@ pub fn sharpen(data: &Data, found: &mut Found) {
         let pairs = data.pairs(lag, 2 * FEW);
         let short = pairs.len() < FEW || lag as usize * 3 > data.row.len();
         let one = found.agree.len() == 1 && found.near.is_empty();
-        if one || found.exact || too_long || short || worst(&here.bounds(&pairs)) >= 0.03 {
+        if one || found.exact || found.many || too_long || short || worst(&here.bounds(&pairs)) >= 0.03 {
             return;
         }
         found.lag = lag;
         let numbers = active(data, true, here.equation.drive[2] != 0.0);
         let all: Vec<Fit> = found.agree.drain(..).chain(found.near.drain(..)).collect();
         for fit in all {
-            let older = match fit.map {
-                Map::Steps(candidate, _) => candidate.older(),
-                Map::Exact => 0,
-            };
             let mut pairs = pairs.clone();
-            pairs.retain(|pair| pair.rows[0] >= older);
-            match best_of(data, fit.map, fit.equation, &pairs, &numbers) {
-                Some(best) if best.worst <= 1.0 => found.agree.push(best),
-                Some(best) if best.worst < APART => found.near.push(best),
-                Some(best) => keep(&mut found.nearest, best),
-                None => {}
+            pairs.retain(|pair| pair.rows[0] >= fit.older());
+            if let Some(best) = best_of(data, fit.map, fit.equation, &pairs, &numbers) {
+                found.sort_in(best);
             }
         }
     }
@@ -430,7 +624,8 @@ pub fn best_of(
             numbers = plain;
         }
     }
-    if best.worst > 1.0 && best.mean < APART {
+    // The worst is never less than the least mean.
+    if best.worst > 1.0 && best.mean <= AGREES {
         let even = fit(applied(data, &best), pairs, &numbers, true);
         if let Some(even) = even.filter(|even| even.worst < best.worst) {
             best = Fit { known_to: best.known_to, ..even };
@@ -573,7 +768,7 @@ pub fn drive(data: &Data) -> Option<[f64; 3]> {
 
 /// The exact motion from the first row over all of the run: angle and velocity.
 pub fn exact_end(equation: &Equation, start: f64, z: [f64; 2], time: f64) -> [f64; 2] {
-    exact_within(equation, start, z, time, 1e8)
+    exact_within(equation, start, z, time, 0.15, 1e7)
 }
 
 /// The fraction of a row of numbers that a combination of others does not explain.
@@ -594,7 +789,7 @@ pub fn long_fit(data: &Data, motion: &Motion) -> Option<Fit> {
 
 /// Mistakes that make the same rows as a fit with another k: of half the force, of a step squared
 /// and the like.
-pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(String, f64)> {
+pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(&'static str, f64)> {
     let h = data.spacing / f64::from(steps);
     let damped = best.equation.c > 0.0;
     let wrong = all().iter().filter(|one| !one.right && one.suits(damped, false));
@@ -603,8 +798,9 @@ pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(String, f64)> {
             [1.0, 0.5, 2.0, h, 1.0 / h].into_iter().find_map(|factor| {
                 let equation = Equation { k: best.equation.k * factor, ..best.equation };
                 let other = Fit { map: Map::Steps(one, steps), equation, ..*best };
-                same(data, best, &other).map(|k| (one.name.to_string(), k))
+                same(data, best, &other).map(|k| (one.name, k))
             })
         })
         .collect()
 }
+static DBG0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);

@@ -45,14 +45,25 @@ impl fmt::Display for RunReport {
         for fault in &self.faults {
             writeln!(f, "  {fault}")?;
         }
-        if let Some(equation) = &self.equation {
-            writeln!(f, "The equation:  {equation}")?;
-        }
-        writeln!(f, "The method:    {}", Says(self))?;
-        if let Some(end) = &self.end {
-            writeln!(f, "What follows:  {end}")?;
+        for [what, words] in &self.said(title)[1..] {
+            writeln!(f, "{:14} {words}", format!("{what}:"))?;
         }
         Ok(())
+    }
+}
+
+impl RunReport {
+    /// What is said, each under its heading; `title` says what a method is called.
+    pub fn said(&self, title: fn(&str) -> String) -> Vec<[String; 2]> {
+        let mut said = vec![["What was read".to_string(), self.read.to_string()]];
+        if let Some(equation) = &self.equation {
+            said.push(["The equation".to_string(), equation.to_string()]);
+        }
+        said.push(["The method".to_string(), Says(self, title).to_string()]);
+        if let Some(end) = &self.end {
+            said.push(["What follows".to_string(), end.to_string()]);
+        }
+        said
     }
 }
 
@@ -143,8 +154,7 @@ impl fmt::Display for Fault {
                 write!(f, "The angle is brought back by a full turn {times}, first in row {row}.")
             }
             Self::Uneven => f.write_str(
-                "The times are uneven: no steps of one length lead from row to row, so the method \
-                 is not looked for.",
+                "The times are uneven: no steps of one length lead from row to row.",
             ),
         }
     }
@@ -209,22 +219,26 @@ fn meant(f: &mut fmt::Formatter<'_>, known: &Known) -> fmt::Result {
     if short.len() <= 6 && known.known_to > 0.0 { write!(f, " ({short}?)") } else { Ok(()) }
 }
 
-/// The name that people have for a method of the known answers.
-fn title(name: &str) -> String {
+/// What people call a method of the known answers, or what is wrong in a mistake.
+pub fn title(name: &str) -> String {
+    let mistake = known_answers::mistakes().iter().find(|known| known.name == name);
+    if let Some(wrong) = mistake.and_then(|known| known.mistake.as_ref()) {
+        return format!("{} with a mistake: {} ({})", wrong.of, wrong.what, wrong.effect);
+    }
     let known = known_answers::method(name);
     let also = known.and_then(|known| known.also.first());
     also.map_or_else(|| name.to_string(), |also| format!("{name} ({also})"))
 }
 
-struct Named<'a>(&'a Made);
+/// What a name is called.
+type Title = fn(&str) -> String;
+
+struct Named<'a>(&'a Made, Title);
 
 impl fmt::Display for Named<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Made { name, mistake, steps, step, .. } = self.0;
-        match mistake {
-            Some([of, what, effect]) => write!(f, "{of} with a mistake: {what} ({effect})")?,
-            None => f.write_str(&title(name))?,
-        }
+        let Made { name, steps, step, .. } = self.0;
+        f.write_str(&self.1(name))?;
         let step = plain(*step, 9);
         match steps {
             1 => write!(f, ", a step of {step} s for each row"),
@@ -233,14 +247,32 @@ impl fmt::Display for Named<'_> {
     }
 }
 
-struct Says<'a>(&'a RunReport);
+/// What would tell methods apart.
+struct Told<'a>(&'a [Distinguish]);
+
+impl fmt::Display for Told<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let by = self.0.iter().map(|by| match by {
+            Distinguish::Velocity => "the velocity beside the angle",
+            Distinguish::Digits => "more digits",
+            Distinguish::LongerStep => "longer steps, each in a row",
+            Distinguish::Rows => "more rows",
+        });
+        write!(f, "What would tell them apart: {}.", by.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// So many are listed in full of methods that cannot be told apart.
+const MOST_LISTED: usize = 6;
+
+struct Says<'a>(&'a RunReport, Title);
 
 impl fmt::Display for Says<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (compared, pairs) = self.0.compared;
         match &self.0.maker {
             Maker::Method(made) => {
-                write!(f, "{}. ", Named(made))?;
+                write!(f, "{}. ", Named(made, self.1))?;
                 let all = if compared == pairs { "All" } else { "Of" };
                 write!(f, "{all} {pairs} pairs of rows")?;
                 if compared < pairs {
@@ -248,11 +280,12 @@ impl fmt::Display for Says<'_> {
                 }
                 f.write_str(
                     " agree within their digits, and every other known method is ten times as far \
-                     off, or more.",
+                     off, or more (methods of several steps are looked for with a row for each \
+                     step).",
                 )?;
                 let mut names: Vec<&str> = Vec::new();
                 for (name, _) in &made.same {
-                    if *name != made.name && !names.contains(&name.as_str()) {
+                    if *name != made.name && !names.contains(name) {
                         names.push(name);
                     }
                 }
@@ -261,47 +294,73 @@ impl fmt::Display for Says<'_> {
                 }
                 write!(f, " The same rows, with another k perhaps: {}.", names.join(", "))
             }
-            Maker::OneOf { methods, count, exact, by } => {
-                if *exact {
-                    f.write_str(
-                        "It cannot be told: the exact motion has these rows, and so has every \
-                         method that is accurate enough",
-                    )?;
-                    if let Some(first) = methods.first() {
-                        write!(f, ", such as {}", Named(first))?;
-                    }
-                    f.write_str(".")?;
-                } else {
-                    writeln!(f, "one of these {count}, or one that is as near:")?;
-                    for made in methods {
-                        writeln!(f, "    {}", Named(made))?;
-                    }
-                    f.write_str("   ")?;
+            Maker::OneOf { methods, exact: Some(off), by, .. } => {
+                f.write_str("it cannot be told: the exact motion ")?;
+                match off {
+                    off if *off <= 1.1 => f.write_str("has these rows")?,
+                    off => write!(
+                        f,
+                        "is off by {} times what rounding does, not by ten times",
+                        plain(*off, 1)
+                    )?,
                 }
-                let by: Vec<_> = by
-                    .iter()
-                    .map(|by| match by {
-                        Distinguish::Velocity => "the velocity beside the angle",
-                        Distinguish::Digits => "more digits",
-                        Distinguish::LongerStep => "longer steps, each in a row",
-                        Distinguish::Rows => "more rows",
-                    })
-                    .collect();
-                write!(f, " What would tell them apart: {}.", by.join(", "))
+                f.write_str(", and so are those of every method that is accurate enough")?;
+                if let Some(first) = methods.first() {
+                    write!(f, ", such as {}", Named(first, self.1))?;
+                }
+                f.write_str(". The k above is the motion's; a program's own may differ from it, as")?;
+                write!(f, " its method changes the period. {}", Told(by))
+            }
+            Maker::OneOf { methods, whole, exact: None, by } => {
+                if *whole {
+                    writeln!(f, "one of these {}, or another that is as near:", methods.len())?;
+                } else {
+                    f.write_str("it cannot be told: many methods have these rows, such as\n")?;
+                }
+                let own = methods.first().map(|first| first.equation.k);
+                for made in methods.iter().take(MOST_LISTED) {
+                    write!(f, "    {}", Named(made, self.1))?;
+                    let k = made.equation.k;
+                    let other = own.is_some_and(|own| (own.value - k.value).abs() > own.known_to);
+                    if other {
+                        write!(f, ", k = {} /s²", Within(&k))?;
+                    }
+                    if !made.same.is_empty() {
+                        let names: Vec<&str> =
+                            made.same.iter().map(|(name, _)| *name).collect();
+                        write!(f, " (the same rows: {})", names.join(", "))?;
+                    }
+                    f.write_str("\n")?;
+                }
+                if *whole && methods.len() > MOST_LISTED {
+                    let mut names: Vec<&str> = Vec::new();
+                    for made in &methods[MOST_LISTED..] {
+                        if !names.contains(&made.name) {
+                            names.push(made.name);
+                        }
+                    }
+                    writeln!(f, "    and {}", names.join(", "))?;
+                }
+                write!(f, "    {}", Told(by))
             }
             Maker::Measured { noise } => write!(
                 f,
-                "none: there is noise of {} rad in the angles, so the rows are measured, or noise \
-                 was added. No program's steps have it.",
+                "none with steps of one length: there is noise of {} rad in the angles, as \
+                 measured rows have it. (A solver that chooses its steps and interpolates leaves \
+                 something like it, and so does noise that was added.)",
                 Scientific(*noise, 1)
             ),
             Maker::Unknown { nearest, exact } => {
-                f.write_str("none that is known. ")?;
+                f.write_str(if self.0.faults.contains(&Fault::Uneven) {
+                    "not looked for, as the rows are not evenly spaced. "
+                } else {
+                    "not found among those that are known. "
+                })?;
                 match nearest {
                     Some((name, off)) if off.is_finite() => write!(
                         f,
-                        "The nearest, {name}, is off by {} times what rounding does, the exact \
-                         motion by {}.",
+                        "The nearest that was looked at, {name}, is off by {} times what rounding \
+                         does, the exact motion by {}.",
                         Scientific(*off, 0),
                         Scientific(*exact, 0)
                     ),
@@ -313,8 +372,8 @@ impl fmt::Display for Says<'_> {
                 }
             }
             Maker::NoPendulum => f.write_str(
-                "none: no equation of a pendulum, damped or driven or neither, leads from row to \
-                 row.",
+                "not found: no equation of a pendulum, damped or driven or neither, was found that \
+                 leads from row to row.",
             ),
         }
     }
