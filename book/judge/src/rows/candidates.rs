@@ -1,5 +1,6 @@
 //! The known methods and mistakes, taken from their tables step by step.
 
+use std::cell::Cell;
 use std::sync::LazyLock;
 
 use serde_json::Value;
@@ -72,6 +73,17 @@ pub struct Candidate {
     kind: Kind,
     /// How much the sums of a step may magnify the rounding of one number.
     pub weight: f64,
+    /// How many forces a step takes, about.
+    cost: u64,
+}
+
+thread_local! {
+    static WORK: Cell<u64> = const { Cell::new(0) };
+}
+
+/// How many forces were computed, about, by this thread.
+pub fn work() -> u64 {
+    WORK.get()
 }
 
 #[derive(Debug)]
@@ -155,6 +167,7 @@ impl Candidate {
     /// The state after so many steps.
     pub fn run(&self, equation: &Equation, t: f64, z: State, h: f64, steps: u32) -> State {
         let mut z = z;
+        WORK.set(WORK.get() + u64::from(steps) * self.cost);
         for i in 0..steps {
             let now = t + h * f64::from(i);
             z = match &self.kind {
@@ -422,7 +435,15 @@ fn candidate(entry: &'static Value) -> Candidate {
     };
     let right = entry["wrong"].is_null();
     let weight = weight(&kind);
-    Candidate { name, right, kind, weight }
+    let cost = match &kind {
+        Kind::RungeKutta(stages) | Kind::Nystrom(stages) => {
+            let size = stages.c.len() as u64;
+            if stages.explicit { size } else { 12 * size }
+        }
+        Kind::Splitting { moves, .. } => moves.len() as u64,
+        Kind::Multistep { .. } | Kind::Formula { .. } => 4,
+    };
+    Candidate { name, right, kind, weight, cost }
 }
 
 fn stages(entry: &'static Value) -> Stages {

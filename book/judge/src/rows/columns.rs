@@ -182,7 +182,11 @@ fn is_single(column: &Column) -> bool {
     let long = cells().any(|cell| cell.significant >= 8);
     let is = |cell: &super::parse::Cell| {
         let single = cell.value as f32;
-        f64::from(single) == cell.value || single.to_string().parse() == Ok(cell.value)
+        // The text may end before the number does.
+        let unit = libm::pow(10.0, f64::from(-cell.decimals));
+        let off = (f64::from(single) - cell.value).abs();
+        off <= libm::fmin(unit, 1e-11 * cell.value.abs())
+            || single.to_string().parse() == Ok(cell.value)
     };
     long && cells().count() > MANY && cells().all(is)
 }

@@ -372,7 +372,7 @@ static FINE: LazyLock<&'static Candidate> =
 /// The exact motion over a span that leads from row to row.
 pub fn exact(equation: &Equation, t: f64, z: State, span: f64, length: f64) -> State {
     // More is a fit that is lost, at a force that no rows have.
-    exact_within(equation, t, z, span, length, 1e3)
+    exact_within(equation, t, z, span, length, 300.0)
 }
 
 /// The exact motion: steps of order 8 of so many radians, but no more than so many.
@@ -467,7 +467,7 @@ impl<'a> Applied<'a> {
 
 /// Solves the normal equations by elimination with a little added to the diagonal; and the
 /// inverse's diagonal.
-fn solve(
+pub fn solve(
     slopes: &[Vec<f64>],
     off: &[f64],
     weights: &[f64],

@@ -27,6 +27,7 @@ mod columns;
 mod faults;
 mod fit;
 mod json;
+mod noise;
 mod parse;
 mod report;
 mod search;
@@ -391,8 +392,7 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
         report.maker =
             Maker::OneOf { methods: Vec::new(), whole: false, exact: Some(motion.worst), by };
         report.end = Some(at_the_end(data, &motion));
-    } else if let Some(noise) = noise(data, motion).filter(|_| motion.fit.mean > 3.0) {
-        let fit = search::long_fit(data, motion).unwrap_or(motion.fit);
+    } else if let Some((noise, fit)) = noise::of_measured(data, motion) {
         report.equation = Some(equation(&fit));
         report.maker = Maker::Measured { noise };
     } else if motion.fraction < 0.5 {
@@ -567,75 +567,6 @@ fn made(data: &Data, fit: &Fit, same: Vec<(&'static str, f64)>) -> Made {
         off: fit.worst,
         same,
     }
-}
-
-/// The standard deviation of the angles' noise, if what the motion leaves is noise.
-///
-/// What a method with steps of one length leaves is a function of the state: smooth along the run,
-/// so what is left of one pair is nearly what is left of the next (correlation near 1), or it
-/// changes sign from step to step (near −1, and near 1 with the next but one). Noise δ in each angle
-/// leaves δ' − Jδ, with J near 1 where rows are near each other: neighbours have a correlation of
-/// −1/2, of −2/3 where the velocities are angles' differences, and the next but one have 0 or 1/6.
-/// And no smooth function of the state explains it. That rounding is not taken for noise, the noise
-/// has to be larger than single precision's.
-fn noise(data: &Data, motion: &Motion) -> Option<f64> {
-    const LEAST_PAIRS: usize = 40;
-    let pairs = data.pairs(1, usize::MAX);
-    let pairs = &pairs[..pairs.len().min(2000)];
-    let here = applied(data, &motion.fit);
-    let rows_are_near = here.equation.rate() * data.spacing < 0.5;
-    if pairs.len() < LEAST_PAIRS || !data.even || !rows_are_near {
-        return None;
-    }
-    let left: Vec<f64> = pairs.iter().map(|pair| here.residual(pair)[0]).collect();
-    if left.iter().any(|x| !x.is_finite()) {
-        return None;
-    }
-    let alike = |lag: usize| {
-        let products = left.iter().zip(&left[lag..]).map(|(a, b)| a * b);
-        products.sum::<f64>() / left.iter().map(|x| x * x).sum::<f64>()
-    };
-    let state = |pair: &fit::Pair| {
-        let [i, j, _] = pair.rows;
-        (data.theta[i], (data.theta[j] - data.theta[i]) / data.spacing)
-    };
-    let fastest = pairs.iter().map(|pair| state(pair).1.abs()).fold(1e-300, f64::max);
-    let widest = pairs.iter().map(|pair| state(pair).0.abs()).fold(1e-300, f64::max);
-    type Of = fn(f64, f64, f64) -> f64;
-    // Of θ, ω as a part of the largest, and θ so.
-    let functions: [Of; 14] = [
-        |_, _, _| 1.0,
-        |_, v, _| v,
-        |_, v, _| v * v,
-        |_, v, _| v * v * v,
-        |q, _, _| libm::sin(q),
-        |q, _, _| libm::cos(q),
-        |q, _, _| libm::sin(2.0 * q),
-        |q, _, _| libm::cos(2.0 * q),
-        |q, v, _| v * libm::sin(q),
-        |q, v, _| v * libm::cos(q),
-        |q, v, _| v * v * libm::sin(q),
-        |q, v, _| v * v * libm::cos(q),
-        |_, _, x| x,
-        |_, _, x| x * x * x,
-    ];
-    let column = |of: &Of| {
-        let of = |pair| {
-            let (theta, rate) = state(pair);
-            of(theta, rate / fastest, theta / widest)
-        };
-        pairs.iter().map(of).collect::<Vec<f64>>()
-    };
-    let columns: Vec<_> = functions.iter().map(column).collect();
-    // Of so many numbers as many functions explain a part by chance.
-    let count = left.len() as f64;
-    let chance = libm::sqrt(1.0 - functions.len() as f64 / count);
-    let rough = search::unexplained(&columns, &left) / chance > 0.8;
-    // z' - M(z) of two noises with velocities, of three angles without: 1, 2, 1.
-    let of_one = if data.has_velocities() { libm::sqrt(2.0) } else { libm::sqrt(6.0) };
-    let noise = fit::mean(&left) / of_one;
-    let large = noise > 1e-5 * widest;
-    (rough && large && alike(1) < -0.25 && alike(2).abs() < 0.45).then_some(noise)
 }
 
 /// What follows from the method that was found.

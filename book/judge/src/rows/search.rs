@@ -1,6 +1,6 @@
 //! Which candidates make the rows, with which numbers and how many steps from row to row.
 
-use super::candidates::{Candidate, Equation, all};
+use super::candidates::{Candidate, Equation, all, work};
 use super::fit::{
     Active, Applied, Data, Fit, Map, Pair, exact_within, first_guess, fit, mean, refine, worst,
 };
@@ -24,8 +24,10 @@ pub const AGREES: f64 = 1.1;
 const CRUDE: f64 = 0.01;
 /// One that is a larger part is of another motion.
 const FAR: f64 = 0.3;
+/// More forces are not computed in a search: as many methods are near then that none can be told.
+const MOST_WORK: u64 = 15_000_000;
 /// As many are too many for a list.
-const MANY: usize = 24;
+const MANY: usize = 40;
 /// What most programs have.
 const USUAL: [&str; 8] = [
     "rk4",
@@ -466,6 +468,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// Searches all candidates about one motion.
 pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
+    let begun = work();
     let lag = lag(data, motion);
     found.lag = found.lag.max(lag);
     let driven = motion.fit.equation.drive[2] != 0.0;
@@ -498,6 +501,10 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     let about = About::new(here, few, &numbers);
     let mut wanted: Vec<Wanted> = Vec::new();
     for candidate in all().iter().filter(looked_at) {
+        if work() - begun > MOST_WORK {
+            found.many = true;
+            break;
+        }
         if candidate.older() == 0 || data.has_velocities() {
             wanted.extend(about.wanted(candidate, found.exact));
         }
@@ -514,7 +521,9 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     for Wanted { candidate, steps, equation, .. } in wanted {
         // Where the exact motion agrees, every method does that is accurate enough; and a list of
         // many says no more than that it cannot be told.
-        if found.exact && found.agree.len() >= ENOUGH || found.agree.len() >= MANY {
+        if found.exact && found.agree.len() >= ENOUGH || found.agree.len() + found.near.len() >= MANY
+            || work() - begun > 2 * MOST_WORK
+        {
             found.many = true;
             break;
         }
@@ -774,17 +783,6 @@ pub fn exact_end(equation: &Equation, start: f64, z: [f64; 2], time: f64) -> [f6
 /// The fraction of a row of numbers that a combination of others does not explain.
 pub fn unexplained(columns: &[Vec<f64>], of: &[f64]) -> f64 {
     mean(&Flat::new(columns).project(of)) / mean(of)
-}
-
-/// The equation by pairs that are about a sixth of a swing apart, in which noise counts less.
-pub fn long_fit(data: &Data, motion: &Motion) -> Option<Fit> {
-    let here = applied(data, &motion.fit);
-    let lag = libm::round(1.0 / (here.equation.rate() * data.spacing)).clamp(1.0, 1000.0) as u32;
-    let numbers = active(data, true, here.equation.drive[2] != 0.0);
-    let mut fit = fit(here, &data.pairs(lag, 1000), &numbers, false)?;
-    // The bounds are the digits', and what is left is more: what is known is so much worse.
-    fit.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, fit.mean));
-    Some(fit)
 }
 
 /// Mistakes that make the same rows as a fit with another k: of half the force, of a step squared

@@ -354,7 +354,7 @@ impl fmt::Display for Says<'_> {
                 f.write_str(if self.0.faults.contains(&Fault::Uneven) {
                     "not looked for, as the rows are not evenly spaced. "
                 } else {
-                    "not found among those that are known. "
+                    "none was found among the known ones that were looked at. "
                 })?;
                 match nearest {
                     Some((name, off)) if off.is_finite() => write!(
