@@ -48,12 +48,6 @@ fn main() -> ExitCode {
                 }
             };
             slowest = slowest.max((begun.elapsed().as_millis(), seed));
-            if std::env::var_os("TIMES").is_some() {
-                eprintln!("{what} {seed}: {} in {}, {} ms", made.name, made.steps, begun.elapsed().as_millis());
-            }
-            if said == Said::Other && std::env::var_os("OTHERS").is_some() {
-                println!("{what} {seed}: {} in {} is not named", made.name, made.steps);
-            }
             *found.entry(made.digits).or_default().entry(said).or_default() += 1;
         }
         println!("{what}: digits, named, one of a few, as exact as any, not named, named falsely");

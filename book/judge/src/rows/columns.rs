@@ -136,9 +136,7 @@ pub fn choose(table: &Table) -> Result<(Read, Run), Refusal> {
     run.single = [Some(angle), velocity].into_iter().flatten().all(|i| is_single(&columns[i]));
     if run.single {
         // What is computed in single precision is known to half its last bit.
-        for (xs, halves) in
-            [(&run.theta, &mut half_theta), (&run.omega, &mut run.half_omega)]
-        {
+        for (xs, halves) in [(&run.theta, &mut half_theta), (&run.omega, &mut run.half_omega)] {
             for (x, half) in xs.iter().zip(halves) {
                 *half = libm::fmax(*half, 0.5 * f64::from(f32::EPSILON) * x.abs());
             }

@@ -33,8 +33,8 @@ mod report;
 mod search;
 
 pub use report::{
-    AtTheEnd, Digits, Distinguish, Fault, Force, FoundEquation, Known, Made, Maker, Read, Refusal,
-    RunReport, Unit, Used,
+    AtTheEnd, Digits, Distinguish, Drawn, Fault, Force, FoundEquation, Known, Made, Maker, Read,
+    Refusal, RunReport, Unit, Used,
 };
 
 use columns::Run;
@@ -48,6 +48,8 @@ pub const MOST_BYTES: usize = 256 << 20;
 /// So many pairs are compared with the method that is found, and all in all in so many steps.
 const MOST_COMPARED: usize = 20_000;
 const MOST_STEPS_COMPARED: f64 = 2e5;
+/// So many rows are drawn.
+const MOST_DRAWN: usize = 400;
 /// Where nothing is found that makes the rows, one of them has to be so many times as far off as
 /// otherwise to be told.
 const STICKS_OUT: f64 = 5.0;
@@ -107,6 +109,7 @@ fn identify_table(table: &Table) -> Result<RunReport, Refusal> {
         maker: Maker::NoPendulum,
         compared: (0, data.pairs(1, usize::MAX).len()),
         end: None,
+        drawn: None,
     };
     make(&mut report, &data, found, &motions);
     Ok(report)
@@ -168,7 +171,7 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
     let motions = search::motions(&written, None, &Force::USUAL);
     let mend = |times| {
         let (data, told) = outliers(&written, motions.first()?, times);
-        (!told.is_empty()).then_some((data, told))
+        (!told.is_empty() && are_few(&told, written.row.len())).then_some((data, told))
     };
     if let Some((data, told)) = mend(1.0) {
         let fitted = search::motions(&data, None, &Force::USUAL);
@@ -192,6 +195,9 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
             return shifted;
         }
     }
+    if let Some(mended) = by_parts(&written) {
+        return mended;
+    }
     match mend(STICKS_OUT) {
         Some((data, told)) => {
             let fitted = search::motions(&data, None, &Force::USUAL);
@@ -199,6 +205,82 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
         }
         None => as_written,
     }
+}
+
+/// Whether so few rows are edited that the others say what they should be: where many are, or many
+/// in a row, what seems to make the others may be the motion of a part of the run, such as its end
+/// in small swings.
+fn are_few(faults: &[Fault], rows: usize) -> bool {
+    let edited = |fault: &Fault| match *fault {
+        Fault::Edited { row } => Some(row),
+        _ => None,
+    };
+    let edited: Vec<usize> = faults.iter().filter_map(edited).collect();
+    let longest = edited.chunk_by(|a, b| b - a == 1).map(<[usize]>::len).max().unwrap_or(0);
+    longest <= 3 && edited.len() < faults::MOST && edited.len() * 20 <= rows.max(40)
+}
+
+/// What made a quarter of the rows may have made most others, but for some that were changed by less
+/// than the motion shows.
+fn by_parts(written: &Data) -> Option<Tried> {
+    let rows = written.row.len();
+    if rows < 60 || !written.even {
+        return None;
+    }
+    (0..4).find_map(|part| {
+        let outside: Vec<usize> =
+            (0..rows).filter(|&i| i < part * rows / 4 || i >= (part + 1) * rows / 4).collect();
+        let mut data = written.clone();
+        remove(&mut data, &outside);
+        let motions = search::motions(&data, None, &Force::USUAL);
+        let maker = Tried::new(data, motions, Vec::new()).maker()?;
+        let (out, faults) = unlike(written, &maker)?;
+        if !are_few(&faults, rows) {
+            return None;
+        }
+        let mut data = written.clone();
+        remove(&mut data, &out);
+        let motions = search::motions(&data, None, &Force::USUAL);
+        let mended = Tried::new(data, motions, faults);
+        mended.maker().is_some().then_some(mended)
+    })
+}
+
+/// The rows that a maker of the others does not make: between those that do not follow, or at an
+/// end. None if there are more, or others.
+fn unlike(written: &Data, maker: &Fit) -> Option<(Vec<usize>, Vec<Fault>)> {
+    let here = applied(written, maker);
+    let older = maker.older();
+    let pairs: Vec<_> =
+        (older..written.row.len()).filter_map(|i| written.pair(i, 1)).take(200_000).collect();
+    let is_off = |pair: &fit::Pair| {
+        let (residual, bound) = (here.residual(pair), here.bound(pair));
+        (0..written.entries()).any(|n| {
+            let off = (residual[n] / bound[n]).abs();
+            off.is_nan() || off > search::APART
+        })
+    };
+    let bad: Vec<usize> =
+        pairs.iter().filter(|pair| is_off(pair)).map(|pair| pair.rows[0]).collect();
+    if bad.is_empty() || bad.len() * 5 > pairs.len() {
+        return None;
+    }
+    let last = written.row.len() - 1;
+    // So many rows of a pair are before the one that is edited.
+    let wide = if written.has_velocities() { 1 + older } else { 2 };
+    let mut out = Vec::new();
+    for run in bad.chunk_by(|a, b| b - a == 1) {
+        let (first, end) = (run[0], run[run.len() - 1]);
+        match run.len() {
+            n if n > wide => out.extend(first + wide - older..=end - older),
+            _ if first == older => out.push(0),
+            _ if pairs.last().is_some_and(|pair| pair.rows[0] == end) => out.push(last),
+            _ => return None,
+        }
+    }
+    out.dedup();
+    let faults = out.iter().map(|&i| Fault::Edited { row: written.row[i] + 1 });
+    Some((out.clone(), faults.take(faults::MOST).collect()))
 }
 
 /// Whether what makes the other rows does not make those where a fault is seen.
@@ -386,17 +468,25 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
     if !found.agree.is_empty() {
         let best = decide(report, data, &found);
         report.end = Some(at_the_end(data, &best));
-    } else if let Some(motion) = found.motion {
+        report.drawn = Some(drawn(data, &best));
+    } else if let Some(mut motion) = found.motion {
+        motion.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, motion.worst));
         report.equation = Some(equation(&motion));
         let by = distinguish(data);
         report.maker =
             Maker::OneOf { methods: Vec::new(), whole: false, exact: Some(motion.worst), by };
         report.end = Some(at_the_end(data, &motion));
+        report.drawn = Some(drawn(data, &motion));
     } else if let Some((noise, fit)) = noise::of_measured(data, motion) {
         report.equation = Some(equation(&fit));
+        report.drawn = Some(drawn(data, &fit));
         report.maker = Maker::Measured { noise };
     } else if motion.fraction < 0.5 {
-        report.equation = Some(equation(&motion.fit));
+        let mut fit = motion.fit;
+        // The motion is not that of the rows, and its numbers are known so much less.
+        fit.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, fit.worst));
+        report.equation = Some(equation(&fit));
+        report.drawn = Some(drawn(data, &fit));
         let nearest = found.near.first().or(found.nearest.as_ref());
         let nearest = nearest.map(|fit| (name(fit), fit.worst));
         report.maker = Maker::Unknown { nearest, exact: motion.fit.worst };
@@ -414,7 +504,8 @@ fn look(data: &Data, motions: &[Motion], found: &mut Found) {
     }
     search::sharpen(data, found);
     // Many that agree, or many steps from row to row, are compared in fewer rows.
-    let steps = |fit: &Fit| if let Map::Steps(_, steps) = fit.map { f64::from(steps) } else { 20.0 };
+    let steps =
+        |fit: &Fit| if let Map::Steps(_, steps) = fit.map { f64::from(steps) } else { 20.0 };
     let all: f64 = found.agree.iter().chain(&found.motion).map(steps).sum();
     found.compared = (MOST_STEPS_COMPARED / all).clamp(500.0, MOST_COMPARED as f64) as usize;
     for fit in std::mem::take(&mut found.agree) {
@@ -569,20 +660,47 @@ fn made(data: &Data, fit: &Fit, same: Vec<(&'static str, f64)>) -> Made {
     }
 }
 
+/// The state of the first row.
+fn start(data: &Data, best: &Fit) -> [f64; 2] {
+    let velocity = || {
+        let pair = data.pair(0, 1)?;
+        applied(data, best).velocity(&pair, data.theta[0], data.theta[pair.rows[1]])
+    };
+    let omega = data.omega.first().copied().or_else(velocity);
+    [data.theta[0], omega.unwrap_or(0.0)]
+}
+
+fn drawn(data: &Data, best: &Fit) -> Drawn {
+    let rows = data.row.len();
+    let here = applied(data, best);
+    let (mut z, mut before) = (start(data, best), data.t[0]);
+    let mut drawn = Drawn::default();
+    for n in 0..rows.min(MOST_DRAWN) {
+        let i = n * (rows - 1) / (rows.min(MOST_DRAWN) - 1).max(1);
+        let t = data.t[i];
+        z = search::exact_end(&best.equation, before, z, t - before);
+        before = t;
+        let pair = i.checked_sub(if data.has_velocities() { 1 } else { 2 });
+        let pair = pair.and_then(|i| data.pair(i, 1)).filter(|pair| pair.rows[2] == i);
+        let pair = pair.filter(|pair| pair.rows[0] >= best.older());
+        let off = pair.map_or(f64::NAN, |pair| {
+            let (residual, bound) = (here.residual(&pair), here.bound(&pair));
+            residual[0] / bound[0]
+        });
+        drawn.t.push(t);
+        drawn.theta.push(data.theta[i]);
+        drawn.exact.push(z[0]);
+        drawn.off.push(off);
+    }
+    drawn
+}
+
 /// What follows from the method that was found.
 fn at_the_end(data: &Data, best: &Fit) -> AtTheEnd {
     let (first, last) = (0, data.row.len() - 1);
     let equation = best.equation;
     let time = data.t[last] - data.t[first];
-    let here = applied(data, best);
-    let velocity = |i: usize, j: usize| match data.omega.get(i) {
-        Some(omega) => Some(*omega),
-        None => {
-            let pair = data.pair(i, 1)?;
-            (pair.rows[1] == j).then(|| here.velocity(&pair, data.theta[i], data.theta[j]))?
-        }
-    };
-    let start = [data.theta[first], velocity(first, first + 1).unwrap_or(0.0)];
+    let start = start(data, best);
     let end = search::exact_end(&equation, data.t[first], start, time);
     let angle = data.theta[last] - end[0];
     let plain = equation.c == 0.0 && equation.drive[2] == 0.0;

@@ -276,6 +276,21 @@ pub struct AtTheEnd {
     pub time: f64,
 }
 
+/// Some rows, evenly spread, beside the exact motion of the equation that was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Drawn {
+    /// The times (s).
+    pub t: Vec<f64>,
+    /// The angles (rad).
+    pub theta: Vec<f64>,
+    /// What the exact motion from the first row has there (rad).
+    pub exact: Vec<f64>,
+    /// How far each row is from what was found makes of the row before it, in what rounding of both
+    /// does: more than 1 is too far.
+    pub off: Vec<f64>,
+}
+
 /// What the rows of a run are.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -292,4 +307,6 @@ pub struct RunReport {
     pub compared: (usize, usize),
     /// What follows.
     pub end: Option<AtTheEnd>,
+    /// What can be drawn, if an equation was found.
+    pub drawn: Option<Drawn>,
 }

@@ -354,8 +354,7 @@ impl<'a> About<'a> {
     fn refined(&self, there: &Applied<'a>, steps: u32) -> Option<Error> {
         let some: Vec<Pair> = self.few.iter().step_by(2).copied().collect();
         let entries = self.here.data.entries();
-        let bounds: Vec<f64> =
-            self.bounds.chunks(entries).step_by(2).flatten().copied().collect();
+        let bounds: Vec<f64> = self.bounds.chunks(entries).step_by(2).flatten().copied().collect();
         let (there, effect) = refine(*there, &some, &self.numbers, &bounds, self.moved)?;
         let off = there.off(&self.few, &self.bounds);
         worst(&off).is_finite().then(|| self.error(&there, steps, &off, effect / self.moved))
@@ -509,10 +508,6 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
             wanted.extend(about.wanted(candidate, found.exact));
         }
     }
-    if std::env::var_os("DBG").is_some() { eprintln!("DBG lag {lag} exact {} wanted {} distance {:.3e} moved {:.3e} t {:?}", found.exact, wanted.len(), mean(&about.away), about.moved, DBG0.elapsed());
-        let mut h = std::collections::BTreeMap::new();
-        for w in &wanted { *h.entry(w.candidate.name).or_insert(0) += 1; }
-        let mut v: Vec<_> = h.into_iter().collect(); v.sort_by_key(|x| -x.1); eprintln!("{:?}", &v[..v.len().min(12)]); }
     wanted.sort_by(|a, b| a.left.total_cmp(&b.left));
     if found.exact {
         wanted.sort_by_key(|wanted| (!wanted.candidate.right, wanted.steps));
@@ -521,7 +516,8 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     for Wanted { candidate, steps, equation, .. } in wanted {
         // Where the exact motion agrees, every method does that is accurate enough; and a list of
         // many says no more than that it cannot be told.
-        if found.exact && found.agree.len() >= ENOUGH || found.agree.len() + found.near.len() >= MANY
+        if found.exact && found.agree.len() >= ENOUGH
+            || found.agree.len() + found.near.len() >= MANY
             || work() - begun > 2 * MOST_WORK
         {
             found.many = true;
@@ -550,7 +546,6 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
         let Some(best) = best_of(data, map, first.equation, pairs, &numbers) else { continue };
         found.sort_in(best);
     }
-    if std::env::var_os("DBG").is_some() { eprintln!("DBG fits done agree {} near {} t {:?}", found.agree.len(), found.near.len(), DBG0.elapsed()); }
     for list in [&mut found.agree, &mut found.near] {
         list.sort_by(|a, b| a.worst.total_cmp(&b.worst));
         let mut seen: Vec<(&str, u32, Force)> = Vec::new();
@@ -589,7 +584,13 @@ pub fn sharpen(data: &Data, found: &mut Found) {
         let pairs = data.pairs(lag, 2 * FEW);
         let short = pairs.len() < FEW || lag as usize * 3 > data.row.len();
         let one = found.agree.len() == 1 && found.near.is_empty();
-        if one || found.exact || found.many || too_long || short || worst(&here.bounds(&pairs)) >= 0.03 {
+        if one
+            || found.exact
+            || found.many
+            || too_long
+            || short
+            || worst(&here.bounds(&pairs)) >= 0.03
+        {
             return;
         }
         found.lag = lag;
@@ -693,7 +694,8 @@ pub fn same(data: &Data, one: &Fit, other: &Fit) -> Option<f64> {
             Some(omega) => *omega,
             None => here.velocity(pair, data.theta[i], data.theta[j])?,
         };
-        let t = data.t[i];
+        // The span is the difference of two times, which are small to have no rounding of their own.
+        let t = if one.equation.drive[2] == 0.0 { 0.0 } else { data.t[i] };
         let z = [data.theta[i], omega];
         let end = here.advance(t, z, data.spacing, 1);
         for (t, z) in [(t, z), (t + data.spacing * one.stretch, end)] {
@@ -801,4 +803,3 @@ pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(&'static str, f64)
         })
         .collect()
 }
-static DBG0: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);

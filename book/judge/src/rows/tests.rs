@@ -199,7 +199,11 @@ fn tables_are_read_as_people_write_them() {
             |_, [t, a, b]| format!("{:.0} | {:.9} | {b:.9}\n", 1000.0 * t, a.to_degrees()),
             Unit::Degrees,
         ),
-        ("temps angle vitesse\n", |_, [t, a, b]| format!("{t:.6e} {a:.12e} {b:.12e}\n"), Unit::Radians),
+        (
+            "temps angle vitesse\n",
+            |_, [t, a, b]| format!("{t:.6e} {a:.12e} {b:.12e}\n"),
+            Unit::Radians,
+        ),
         ("# a run\n\n", |_, [t, a, b]| format!("({t}, {a}, {b}),\n"), Unit::Radians),
     ];
     for (heading, line, unit) in cases {
@@ -255,7 +259,8 @@ fn rounding_before_the_print_is_seen() {
         q += h * p;
     }
     let rows = run("symplectic-euler", &PENDULUM, 0.02, 1, 200);
-    let padded: String = rows.iter().map(|[t, a, b]| format!("{t:.2} {a:.4}000 {b:.4}000\n")).collect();
+    let padded: String =
+        rows.iter().map(|[t, a, b]| format!("{t:.2} {a:.4}000 {b:.4}000\n")).collect();
     for text in [long, short, padded] {
         let found = report(&text);
         assert_eq!(method(&found), ("symplectic-euler", 1), "{found}");

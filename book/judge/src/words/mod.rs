@@ -10,9 +10,9 @@ mod finding;
 mod identity;
 pub mod numbers;
 mod report;
+mod rows;
 pub mod solver_cause;
 mod solver_finding;
 mod trouble;
-mod rows;
 
 pub use advice::sign_of_slopes;

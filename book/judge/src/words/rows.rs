@@ -153,9 +153,9 @@ impl fmt::Display for Fault {
                 let times = if times == 1 { "once".into() } else { format!("{times} times") };
                 write!(f, "The angle is brought back by a full turn {times}, first in row {row}.")
             }
-            Self::Uneven => f.write_str(
-                "The times are uneven: no steps of one length lead from row to row.",
-            ),
+            Self::Uneven => {
+                f.write_str("The times are uneven: no steps of one length lead from row to row.")
+            }
         }
     }
 }
@@ -308,7 +308,9 @@ impl fmt::Display for Says<'_> {
                 if let Some(first) = methods.first() {
                     write!(f, ", such as {}", Named(first, self.1))?;
                 }
-                f.write_str(". The k above is the motion's; a program's own may differ from it, as")?;
+                f.write_str(
+                    ". The k above is the motion's; a program's own may differ from it, as",
+                )?;
                 write!(f, " its method changes the period. {}", Told(by))
             }
             Maker::OneOf { methods, whole, exact: None, by } => {
@@ -326,8 +328,7 @@ impl fmt::Display for Says<'_> {
                         write!(f, ", k = {} /s²", Within(&k))?;
                     }
                     if !made.same.is_empty() {
-                        let names: Vec<&str> =
-                            made.same.iter().map(|(name, _)| *name).collect();
+                        let names: Vec<&str> = made.same.iter().map(|(name, _)| *name).collect();
                         write!(f, " (the same rows: {})", names.join(", "))?;
                     }
                     f.write_str("\n")?;
