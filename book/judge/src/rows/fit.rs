@@ -212,8 +212,9 @@ impl Applied<'_> {
         let span = self.data.span(pair, false);
         let t = self.data.time(pair.rows[0]);
         let mut omega = (to - from) / span;
-        let scale = libm::fmax(omega.abs(), 1e-3 / span);
         let size = libm::fmax(from.abs(), to.abs());
+        // Two angles on the way up and down again may be the same.
+        let scale = libm::fmax(omega.abs(), libm::fmax(size, 1e-3) / span.abs());
         let mut slope = f64::NAN;
         // A map's own rounding.
         let steps = match self.map {

@@ -207,6 +207,12 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
     }
 }
 
+/// A motion that is not quite that of the rows: its numbers are known so much less.
+fn known_less(mut fit: Fit) -> Fit {
+    fit.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, fit.worst));
+    fit
+}
+
 /// Whether so few rows are edited that the others say what they should be: where many are, or many
 /// in a row, what seems to make the others may be the motion of a part of the run, such as its end
 /// in small swings.
@@ -470,7 +476,7 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
         report.end = Some(at_the_end(data, &best));
         report.drawn = Some(drawn(data, &best));
     } else if let Some(mut motion) = found.motion {
-        motion.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, motion.worst));
+        motion = known_less(motion);
         report.equation = Some(equation(&motion));
         let by = distinguish(data);
         report.maker =
@@ -482,9 +488,7 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
         report.drawn = Some(drawn(data, &fit));
         report.maker = Maker::Measured { noise };
     } else if motion.fraction < 0.5 {
-        let mut fit = motion.fit;
-        // The motion is not that of the rows, and its numbers are known so much less.
-        fit.known_to.iter_mut().for_each(|to| *to *= libm::fmax(1.0, fit.worst));
+        let fit = known_less(motion.fit);
         report.equation = Some(equation(&fit));
         report.drawn = Some(drawn(data, &fit));
         let nearest = found.near.first().or(found.nearest.as_ref());
@@ -599,6 +603,9 @@ fn decide(report: &mut RunReport, data: &Data, found: &Found) -> Fit {
     methods.extend(others.iter().filter_map(of));
     let exact = found.motion.filter(|_| found.exact).map(|motion| motion.worst);
     let whole = exact.is_none() && !found.many;
+    let motion = found.motion.filter(|_| found.exact);
+    let best = motion.map_or(best, known_less);
+    report.equation = Some(equation(&best));
     report.maker = Maker::OneOf { methods, whole, exact, by };
     best
 }
