@@ -55,7 +55,7 @@ pub fn answer(text: &[u8]) -> String {
     json!({
         "said": report.said(marked),
         "faults": faults,
-        "drawn": report.drawn,
+        "drawn": report.drawn_json(),
     })
     .to_string()
 }

@@ -169,9 +169,9 @@ fn policy(page: &str) -> String {
     for hash in hashes {
         scripts += &format!(" {hash}");
     }
-    // The lab and the figures that it moves, of class "lab-figure", are compiled in the browser,
-    // which is allowed on their pages alone.
-    if has_lab(page) {
+    // The lab and the figures that it moves, of class "lab-figure", and the identification of rows
+    // are compiled in the browser, which is allowed on their pages alone.
+    if has_lab(page) || page.contains("rows-spot") {
         scripts += " 'wasm-unsafe-eval'";
     }
     // The page for what is not found says where the book begins.
