@@ -29,37 +29,46 @@ enum Said {
     Falsely,
 }
 
+/// The digits, and what is said of the tables with so many: of methods, and of mistakes.
+type Counts = BTreeMap<usize, [BTreeMap<Said, u32>; 2]>;
+
 fn main() -> ExitCode {
     let mut numbers = std::env::args().skip(1).map(|count| count.parse::<u64>().expect("a number"));
     let (count, from) = (numbers.next().unwrap_or(1000), numbers.next().unwrap_or(0));
     let mut falsely = 0;
-    for (right, what) in [(true, "methods"), (false, "mistakes")] {
-        let mut found: BTreeMap<usize, BTreeMap<Said, u32>> = BTreeMap::new();
-        let mut slowest = (0, 0);
+    let mut found = Counts::new();
+    for (which, right) in [true, false].into_iter().enumerate() {
         for seed in from..from + count {
             let Some(made) = table(seed, right) else { continue };
-            let begun = std::time::Instant::now();
-            let said = match said(&made) {
-                Ok(said) => said,
-                Err(false_word) => {
-                    println!("{what} {seed}: {} in {}: {false_word}", made.name, made.steps);
-                    falsely += 1;
-                    Said::Falsely
-                }
-            };
-            slowest = slowest.max((begun.elapsed().as_millis(), seed));
-            *found.entry(made.digits).or_default().entry(said).or_default() += 1;
+            let said = said(&made).unwrap_or_else(|false_word| {
+                eprintln!("{right} {seed}: {} in {}: {false_word}", made.name, made.steps);
+                falsely += 1;
+                Said::Falsely
+            });
+            *found.entry(made.digits).or_default()[which].entry(said).or_default() += 1;
         }
-        println!("{what}: digits, named, one of a few, as exact as any, not named, named falsely");
-        for (digits, counts) in found {
-            let of = |said| counts.get(&said).copied().unwrap_or(0);
-            let [a, b, c, d, e] =
-                [Said::Named, Said::OneOf, Said::AnyAccurate, Said::Other, Said::Falsely].map(of);
-            println!("{digits:2} {a:4} {b:4} {c:4} {d:4} {e:4}");
-        }
-        eprintln!("{what}: the slowest took {} ms, of seed {}", slowest.0, slowest.1);
     }
+    print!("{}", page(&found));
     if falsely == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The table of the book.
+fn page(found: &Counts) -> String {
+    let mut page = String::from(
+        "| Digits | A method: named | one of a few | cannot be told | not found | A mistake: named \
+         | one of a few | cannot be told | not found |\n\
+         |---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+    );
+    for (digits, counts) in found {
+        write!(page, "| {digits} |").expect("a text takes it");
+        for counts in counts {
+            for said in [Said::Named, Said::OneOf, Said::AnyAccurate, Said::Other] {
+                write!(page, " {} |", counts.get(&said).unwrap_or(&0)).expect("a text takes it");
+            }
+        }
+        page.push('\n');
+    }
+    page
 }
 
 /// What is said of a table, or what is false in it.

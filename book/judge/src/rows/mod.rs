@@ -37,6 +37,8 @@ pub use report::{
     Refusal, RunReport, Unit, Used,
 };
 
+pub(crate) use search::AGREES;
+
 use columns::Run;
 use faults::{Places, rounded};
 use fit::{Data, Fit, Map};

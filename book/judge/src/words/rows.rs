@@ -5,8 +5,8 @@ use core::fmt;
 use super::numbers::{Scientific, plain};
 use crate::known_answers;
 use crate::rows::{
-    AtTheEnd, Digits, Distinguish, Fault, Force, FoundEquation, Known, Made, Maker, Read, Refusal,
-    RunReport, Unit,
+    AGREES, AtTheEnd, Digits, Distinguish, Fault, Force, FoundEquation, Known, Made, Maker, Read,
+    Refusal, RunReport, Unit,
 };
 
 impl fmt::Display for Refusal {
@@ -297,14 +297,16 @@ impl fmt::Display for Says<'_> {
             Maker::OneOf { methods, exact: Some(off), by, .. } => {
                 f.write_str("it cannot be told: the exact motion ")?;
                 match off {
-                    off if *off <= 1.1 => f.write_str("has these rows")?,
+                    off if *off <= AGREES => f.write_str(
+                        "has these rows, and so has every method that is accurate enough",
+                    )?,
                     off => write!(
                         f,
-                        "is off by {} times what rounding does, not by ten times",
+                        "is off by {} times what rounding does, not by ten times, so each method \
+                         that is accurate enough may have made them",
                         plain(*off, 1)
                     )?,
                 }
-                f.write_str(", and so are those of every method that is accurate enough")?;
                 if let Some(first) = methods.first() {
                     write!(f, ", such as {}", Named(first, self.1))?;
                 }

@@ -3,6 +3,7 @@
 mod commands;
 mod files;
 mod help;
+mod identify;
 #[cfg(unix)]
 mod interrupts;
 mod listed;
