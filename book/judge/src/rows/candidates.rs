@@ -249,7 +249,8 @@ impl Stages {
         } else {
             let first = equation.acceleration(t, q, p);
             f[..size].fill(first);
-            let solved = settle(&mut f, size, |f, new| {
+            let scale = equation.k.abs() * (q.abs() + h.abs() * p.abs());
+            let solved = settle(&mut f, size, scale, |f, new| {
                 for i in 0..size {
                     v[i] = p + h * dot(&self.a[i], f);
                 }
@@ -283,7 +284,10 @@ impl Stages {
             }
         } else {
             f[..size].fill(equation.acceleration(t, q, p));
-            if !settle(&mut f, size, |f, new| (0..size).for_each(|i| new[i] = stage(i, f))) {
+            let scale = equation.k.abs() * (q.abs() + h.abs() * p.abs());
+            if !settle(&mut f, size, scale, |f, new| {
+                (0..size).for_each(|i| new[i] = stage(i, f));
+            }) {
                 return [f64::NAN; 2];
             }
         }
@@ -295,13 +299,15 @@ impl Stages {
 fn settle(
     f: &mut [f64; MOST_STAGES],
     size: usize,
+    scale: f64,
     mut improve: impl FnMut(&[f64], &mut [f64; MOST_STAGES]),
 ) -> bool {
     let mut before = f64::INFINITY;
     for sweep in 0..80 {
         let mut new = [0.0; MOST_STAGES];
         improve(&f[..], &mut new);
-        let largest = new[..size].iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        // Where the forces pass through zero, what they round is that of the angle.
+        let largest = new[..size].iter().fold(scale, |a: f64, b| a.max(b.abs()));
         let change = (0..size).fold(0.0, |a: f64, i| a.max((new[i] - f[i]).abs()));
         *f = new;
         let small = change <= 4.0 * f64::EPSILON * largest;

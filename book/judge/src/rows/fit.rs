@@ -649,6 +649,12 @@ pub fn fit(from: Applied<'_>, pairs: &[Pair], active: &Active, even_out: bool) -
     let here = if even_out { best?.1 } else { here };
     let bounds = here.bounds(pairs);
     let off = here.off(pairs, &bounds);
+    if spread.iter().any(|x| x.is_nan()) {
+        let Linear { off, slopes, .. } = here.linear(pairs, active, bounds.clone());
+        let ones = vec![1.0; off.len()];
+        let around = solve(&slopes, &off, &ones, (&prior, 0.0));
+        spread = around.map_or_else(|| vec![f64::INFINITY; count], |(_, spread)| spread);
+    }
     let mut known_to = [0.0; NUMBERS];
     for (n, &place) in places.iter().enumerate() {
         known_to[place] = 2.0 * spread[n];

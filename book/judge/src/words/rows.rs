@@ -166,7 +166,10 @@ struct Within<'a>(&'a Known);
 impl fmt::Display for Within<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Known { value, known_to, .. } = *self.0;
-        if !(known_to > 0.0 && known_to.is_finite()) {
+        if !known_to.is_finite() {
+            return write!(f, "about {}", Scientific(value, 1));
+        }
+        if known_to <= 0.0 {
             return f.write_str(&plain(value, 12));
         }
         let digits = -libm::floor(libm::log10(known_to));
@@ -216,7 +219,11 @@ impl fmt::Display for FoundEquation {
 /// The short number that is within.
 fn meant(f: &mut fmt::Formatter<'_>, known: &Known) -> fmt::Result {
     let short = plain(known.short, 6);
-    if short.len() <= 6 && known.known_to > 0.0 { write!(f, " ({short}?)") } else { Ok(()) }
+    if short.len() <= 6 && known.known_to > 0.0 && known.known_to.is_finite() {
+        write!(f, " ({short}?)")
+    } else {
+        Ok(())
+    }
 }
 
 /// What people call a method of the known answers, or what is wrong in a mistake.

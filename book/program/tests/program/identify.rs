@@ -26,7 +26,7 @@ fn rows_of_the_program_are_named() {
         assert_eq!(found["method"]["known"][0]["name"], method, "{found:#}");
         assert_eq!(found["method"]["known"][0]["step"], 0.1, "{found:#}");
         let k = &found["equation"]["k"];
-        assert_eq!(k["short"], 9.80665, "{found:#}");
+        assert_eq!(k["short"], 9.81, "{found:#}");
         assert_eq!(found["faults"], Value::Array(Vec::new()), "{found:#}");
         assert_eq!(printed(&["identify", file]), found["text"].as_str().unwrap());
     }
