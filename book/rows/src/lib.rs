@@ -43,8 +43,8 @@ pub extern "C" fn answer_at() -> *const u8 {
     ANSWER.with_borrow(|answer| answer.as_ptr())
 }
 
-/// The answer: what is said, each under its heading, the faults, and what can be drawn; or why there
-/// is none.
+/// The answer: what is said, each under its heading, the faults, and what can be drawn; or why
+/// there is none.
 pub fn answer(text: &[u8]) -> String {
     let report = match rows::identify(text) {
         Ok(report) => report,

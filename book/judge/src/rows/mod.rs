@@ -167,8 +167,8 @@ impl Tried {
 ///
 /// A row is strange beside what a motion that is only nearly that of the rows makes of it, and a
 /// method may be strange like that somewhere. So a fault is told only if something makes all rows
-/// with it put right and does not make those in which it is. Of rows of which nothing is found, only
-/// what sticks out far more is told.
+/// with it put right and does not make those in which it is. Of rows of which nothing is found,
+/// only what sticks out far more is told.
 fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
     let motions = search::motions(&written, None, &Force::USUAL);
     let mend = |times| {
@@ -228,8 +228,8 @@ fn are_few(faults: &[Fault], rows: usize) -> bool {
     longest <= 3 && edited.len() < faults::MOST && edited.len() * 20 <= rows.max(40)
 }
 
-/// What made a quarter of the rows may have made most others, but for some that were changed by less
-/// than the motion shows.
+/// What made a quarter of the rows may have made most others, but for some that were changed by
+/// less than the motion shows.
 fn by_parts(written: &Data) -> Option<Tried> {
     let rows = written.row.len();
     if rows < 60 || !written.even {
@@ -525,8 +525,8 @@ fn look(data: &Data, motions: &[Motion], found: &mut Found) {
     found.agree.sort_by(|a, b| a.worst.total_cmp(&b.worst));
 }
 
-/// The fit of what agrees in some pairs to all of them, with numbers that are fitted to the worst of
-/// them too.
+/// The fit of what agrees in some pairs to all of them, with numbers that are fitted to the worst
+/// of them too.
 fn in_all(data: &Data, fit: &Fit, most: usize) -> Option<Fit> {
     let older = fit.older();
     let mut all = data.pairs(1, most);

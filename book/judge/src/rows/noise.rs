@@ -101,11 +101,11 @@ fn over_all(data: &Data, motion: &Motion) -> Option<Fit> {
 ///
 /// What a method with steps of one length leaves is a function of the state: smooth along the run,
 /// so what is left of one pair is nearly what is left of the next (correlation near 1), or it
-/// changes sign from step to step (near −1, and near 1 with the next but one). Noise δ in each angle
-/// leaves δ' − Jδ, with J near 1 where rows are near each other: neighbours have a correlation of
-/// −1/2, of −2/3 where the velocities are angles' differences, and the next but one have 0 or 1/6.
-/// And no smooth function of the state explains it. That rounding is not taken for noise, the noise
-/// has to be larger than single precision's.
+/// changes sign from step to step (near −1, and near 1 with the next but one). Noise δ in each
+/// angle leaves δ' − Jδ, with J near 1 where rows are near each other: neighbours have a
+/// correlation of −1/2, of −2/3 where the velocities are angles' differences, and the next but one
+/// have 0 or 1/6. And no smooth function of the state explains it. That rounding is not taken for
+/// noise, the noise has to be larger than single precision's.
 fn of_pairs(data: &Data, motion: &Motion) -> Option<f64> {
     const LEAST_PAIRS: usize = 40;
     let pairs = data.pairs(1, usize::MAX);

@@ -267,9 +267,9 @@ impl<'a> About<'a> {
     /// factor of some units (the period's power in k, and the angle in radians that a pair goes).
     /// So much, tenfold, is allowed for.
     ///
-    /// The error of steps in between is that of their neighbours on the ladder, linear in a power of
-    /// their length that the neighbours show; a tenth of their difference is allowed for, or a third
-    /// of itself.
+    /// The error of steps in between is that of their neighbours on the ladder, linear in a power
+    /// of their length that the neighbours show; a tenth of their difference is allowed for, or a
+    /// third of itself.
     fn wanted(&self, candidate: &'static Candidate, exact: bool) -> Vec<Wanted> {
         let mut wanted = Vec::new();
         let mut before: Option<Error> = None;
@@ -694,7 +694,8 @@ pub fn same(data: &Data, one: &Fit, other: &Fit) -> Option<f64> {
             Some(omega) => *omega,
             None => here.velocity(pair, data.theta[i], data.theta[j])?,
         };
-        // The span is the difference of two times, which are small to have no rounding of their own.
+        // The span is the difference of two times, which are small to have no rounding of their
+        // own.
         let t = if one.equation.drive[2] == 0.0 { 0.0 } else { data.t[i] };
         let z = [data.theta[i], omega];
         let end = here.advance(t, z, data.spacing, 1);

@@ -12,8 +12,8 @@ fn rows(method: &str) -> String {
     printed(&["simulate", "--method", method, "--theta0", "1", "--dt", "0.1", "--steps", "99"])
 }
 
-/// Catches: a file that is not read, a format that is not passed on, rows of the program itself that
-/// the identification does not know; an answer that says what it was read from.
+/// Catches: a file that is not read, a format that is not passed on, rows of the program itself
+/// that the identification does not know; an answer that says what it was read from.
 #[test]
 fn rows_of_the_program_are_named() {
     let folder = tempfile::tempdir().unwrap();
@@ -45,7 +45,8 @@ fn rows_are_taken_from_standard_input() {
     }
 }
 
-/// Catches: bad input that is answered with more than a sentence, with another status, or at length.
+/// Catches: bad input that is answered with more than a sentence, with another status, or at
+/// length.
 #[test]
 fn what_is_no_table_is_refused_in_a_sentence() {
     let folder = tempfile::tempdir().unwrap();

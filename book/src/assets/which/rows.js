@@ -1,12 +1,13 @@
 // "Paste your rows": a table of a run is told what it is, by the judge's own identification in
 // WebAssembly, which is loaded when it is first asked. Nothing is sent anywhere: the page's policy
-// allows no address to send to. Without scripts and in print.html what stands in its place is shown.
+// allows no address to send to. Without scripts and in print.html what stands in its place is
+// shown.
 (which => {
     'use strict';
 
-    const spot = document.querySelector('.rows-spot');
-    if (!spot || !which || !globalThis.DecompressionStream || /\/print\.html$/.test(location.pathname))
-        return;
+    const spot = document.querySelector('.rows-spot'),
+        isPrinted = /\/print\.html$/.test(location.pathname);
+    if (!spot || !which || !globalThis.DecompressionStream || isPrinted) return;
 
     const ASSETS = new URL('../', document.currentScript.src),
         MOST = 256 << 20,
@@ -88,7 +89,8 @@
 
     // The least and the greatest; of very many too.
     function range(values) {
-        return values.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
+        const wider = ([a, b], x) => [Math.min(a, x), Math.max(b, x)];
+        return values.reduce(wider, [Infinity, -Infinity]);
     }
 
     function charts({ t, theta, exact, off }) {
