@@ -290,7 +290,7 @@ impl<'a> About<'a> {
             };
             let mut crude = crude_of(&off);
             // Not this motion with these numbers: perhaps with another k.
-            if !(crude <= FAR) {
+            if crude.is_nan() || crude > FAR {
                 if steps <= 4 && self.refined(&there, steps).is_some_and(|error| error.fits(self)) {
                     let equation = there.equation;
                     wanted.push(Wanted { left: crude, candidate, steps, equation });
@@ -304,17 +304,16 @@ impl<'a> About<'a> {
                 there = other;
                 off = there.off(&self.few, &self.bounds);
                 crude = crude_of(&off);
-                if !(crude <= FAR) {
+                if crude.is_nan() || crude > FAR {
                     before = None;
                     continue;
                 }
             }
             let mut error = self.error(&there, steps, &off, crude);
             // To first order it cannot be said: with numbers that are nearer.
-            if error.left(&self.away) <= error.allowed() && error.allowed() > 6.0 {
-                if let Some(better) = self.refined(&there, steps) {
-                    error = better;
-                }
+            let unsure = error.left(&self.away) <= error.allowed() && error.allowed() > 6.0;
+            if unsure && let Some(better) = self.refined(&there, steps) {
+                error = better;
             }
             let left = error.left(&self.away);
             if left <= error.allowed() {
