@@ -52,7 +52,7 @@ fn main() -> ExitCode {
     if falsely == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// The table of the book.
+/// The counts as a table in Markdown.
 fn page(found: &Counts) -> String {
     let mut page = String::from(
         "| Digits | A method: named | one of a few | cannot be told | not found | A mistake: named \
