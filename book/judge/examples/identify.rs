@@ -24,7 +24,9 @@ struct Made {
 enum Said {
     Named,
     OneOf,
-    AnyAccurate,
+    /// It cannot be told, and the maker is among the examples, or is not.
+    AnyWith,
+    AnyWithout,
     Other,
     Falsely,
 }
@@ -49,6 +51,12 @@ fn main() -> ExitCode {
         }
     }
     print!("{}", page(&found));
+    let all = |said| found.values().flatten().filter_map(|counts| counts.get(&said)).sum::<u32>();
+    let (with, without) = (all(Said::AnyWith), all(Said::AnyWithout));
+    eprintln!(
+        "Of {} that cannot be told, {without} have not the maker as example.",
+        with + without
+    );
     if falsely == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
@@ -62,8 +70,12 @@ fn page(found: &Counts) -> String {
     for (digits, counts) in found {
         write!(page, "| {digits} |").expect("a text takes it");
         for counts in counts {
-            for said in [Said::Named, Said::OneOf, Said::AnyAccurate, Said::Other] {
-                write!(page, " {} |", counts.get(&said).unwrap_or(&0)).expect("a text takes it");
+            let count = |said| counts.get(&said).copied().unwrap_or(0);
+            let (with, without) = (count(Said::AnyWith), count(Said::AnyWithout));
+            let cells =
+                [count(Said::Named), count(Said::OneOf), with + without, count(Said::Other)];
+            for cell in cells {
+                write!(page, " {cell} |").expect("a text takes it");
             }
         }
         page.push('\n');
@@ -107,9 +119,9 @@ fn said(made: &Made) -> Result<Said, String> {
     match &report.maker {
         Maker::Method(method) if is_it(method) => numbers(method).map(|()| Said::Named),
         Maker::Method(method) => Err(format!("is said to be {} in {}", method.name, method.steps)),
-        Maker::OneOf { whole: false, .. } => Ok(Said::AnyAccurate),
-        Maker::OneOf { methods, .. } => match methods.iter().find(|method| is_it(method)) {
-            Some(_) => Ok(Said::OneOf),
+        Maker::OneOf { methods, whole, .. } => match methods.iter().find(|method| is_it(method)) {
+            Some(_) => Ok(if *whole { Said::OneOf } else { Said::AnyWith }),
+            None if !whole => Ok(Said::AnyWithout),
             None => {
                 let names = methods.iter().map(|made| format!("{} in {}", made.name, made.steps));
                 Err(format!("is not in the list of {}", names.collect::<Vec<_>>().join(", ")))
