@@ -55,6 +55,10 @@ const MOST_DRAWN: usize = 400;
 /// Among measured rows one has to be so many times as far off as otherwise to be told.
 const STICKS_OUT: f64 = 5.0;
 
+/// Numbers that are not quite those that make the worst pair least leave no more, in bounds, of the
+/// way over an edited row.
+const BRIDGED: f64 = 2.0;
+
 /// Says what the rows of a text are.
 ///
 /// # Errors
@@ -159,6 +163,16 @@ impl Tried {
     fn maker(&self) -> Option<Fit> {
         self.found.agree.first().copied().or(self.found.motion)
     }
+
+    /// The faults that what makes the other rows contradicts. Beside a motion that is only near a
+    /// method's the method's own error would be one.
+    fn proven(mut self, written: &Data) -> Option<Self> {
+        let maker = self.maker().filter(|fit| fit.worst <= search::AGREES)?;
+        let told = std::mem::take(&mut self.faults);
+        let proven = |fault: &&Fault| contradicts(written, &maker, fault, &told);
+        self.faults = told.iter().filter(proven).copied().collect();
+        (!self.faults.is_empty()).then_some(self)
+    }
 }
 
 /// Looks for what made the rows; where nothing made them as they are written, with what seems to be
@@ -170,6 +184,7 @@ impl Tried {
 /// what sticks out far more is told only if the others are measured rows: an unknown method's own
 /// error may stick out as far.
 fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
+    let begun = candidates::work();
     let motions = search::motions(&written, None, &Force::USUAL);
     let mend = |times| {
         let (data, told) = outliers(&written, motions.first()?, times);
@@ -177,13 +192,8 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
     };
     if let Some((data, told)) = mend(1.0) {
         let fitted = search::motions(&data, None, &Force::USUAL);
-        let mut mended = Tried::new(data, fitted, told);
-        if let Some(maker) = mended.maker() {
-            let told = mended.faults.clone();
-            mended.faults.retain(|fault| contradicts(&written, &maker, fault, &told));
-            if !mended.faults.is_empty() {
-                return mended;
-            }
+        if let Some(mended) = Tried::new(data, fitted, told).proven(&written) {
+            return mended;
         }
     }
     let as_written = Tried::new(written.clone(), motions.clone(), Vec::new());
@@ -198,7 +208,11 @@ fn try_all(run: &Run, places: &Places, written: Data) -> Tried {
             return shifted;
         }
     }
-    if let Some(mended) = by_parts(&written) {
+    // Where that has taken long, as many are near, what a part of the rows has is told apart no
+    // sooner.
+    if candidates::work() - begun < search::MOST_WORK
+        && let Some(mended) = by_parts(&written)
+    {
         return mended;
     }
     if let Some((data, told)) = mend(STICKS_OUT) {
@@ -251,10 +265,7 @@ fn by_parts(written: &Data) -> Option<Tried> {
         let mut data = written.clone();
         remove(&mut data, &out);
         let motions = search::motions(&data, None, &Force::USUAL);
-        let mut mended = Tried::new(data, motions, faults.clone());
-        let maker = mended.maker()?;
-        mended.faults.retain(|fault| contradicts(written, &maker, fault, &faults));
-        (!mended.faults.is_empty()).then_some(mended)
+        Tried::new(data, motions, faults).proven(written)
     })
 }
 
@@ -329,16 +340,35 @@ fn contradicts(written: &Data, maker: &Fit, fault: &Fault, told: &[Fault]) -> bo
     all.extend(&about);
     let equation = maker.equation;
     let numbers = search::active(written, equation.c != 0.0, equation.drive[2] != 0.0);
-    let here = applied(written, maker);
-    let fitted = fit::fit(here, &all, &numbers, false);
-    let here = fitted.as_ref().map_or(here, |fit| applied(written, fit));
-    about.iter().any(|pair| {
+    let own = applied(written, maker);
+    let fitted = fit::fit(own, &all, &numbers, false);
+    let here = fitted.as_ref().map_or(own, |fit| applied(written, fit));
+    let off = |here: &fit::Applied<'_>, pair: &fit::Pair| {
         let (residual, bound) = (here.residual(pair), here.bound(pair));
-        (0..written.entries()).any(|n| {
-            let off = (residual[n] / bound[n]).abs();
-            off.is_nan() || off > search::APART
-        })
-    })
+        let off = (0..written.entries()).map(|n| (residual[n] / bound[n]).abs());
+        off.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
+    };
+    let most = about.iter().map(|pair| off(&here, pair)).fold(0.0, f64::max);
+    if most <= search::APART || !matches!(fault, Fault::Edited { .. }) {
+        return most > search::APART;
+    }
+    // An edited row is bridged, with the maker's own numbers: the one after follows from the one
+    // before. A method's own error is not, as two steps of it add up.
+    let edited = |i: usize| told.iter().filter_map(row_of).any(|row| written.row[i] == row);
+    let Some(at) = (0..rows).find(|&i| written.row[i] == row) else { return false };
+    let before = (0..at).rev().find(|&i| !edited(i)).filter(|&i| i >= older);
+    let after = (at + 1..rows).find(|&i| !edited(i));
+    let (Some(before), Some(after)) = (before, after) else {
+        // At an end nothing is: there the row must be far off where those beside it are as sharp
+        // and are not, which a method's error is not from one row to the next.
+        let mut bounds: Vec<f64> = all.iter().map(|pair| own.bound(pair)[0]).collect();
+        bounds.sort_by(f64::total_cmp);
+        let sharp = |pair: &fit::Pair| own.bound(pair)[0] < 0.5 * bounds[bounds.len() / 2];
+        return most > 10.0 * search::APART && !about.iter().any(sharp);
+    };
+    let lag = (written.at[after] - written.at[before]) as u32;
+    let bridge = written.pair(before, lag);
+    bridge.is_some_and(|pair| !edited(pair.rows[2]) && off(&own, &pair) <= BRIDGED)
 }
 
 fn data(run: &Run, places: &Places) -> Data {

@@ -25,7 +25,7 @@ const CRUDE: f64 = 0.01;
 /// One that is a larger part is of another motion.
 const FAR: f64 = 0.3;
 /// More forces are not computed in a search: as many methods are near then that none can be told.
-const MOST_WORK: u64 = 40_000_000;
+pub const MOST_WORK: u64 = 40_000_000;
 /// As many are too many for a list.
 const MANY: usize = 40;
 /// What most programs have.
