@@ -316,6 +316,7 @@ impl fmt::Display for Says<'_> {
                 }
                 if let Some(first) = methods.first() {
                     write!(f, ", such as {}", Named(first, self.1))?;
+                    f.write_str(" (an example: another may have made them)")?;
                 }
                 f.write_str(
                     ". The k above is the motion's; a program's own may differ from it, as",
@@ -326,7 +327,10 @@ impl fmt::Display for Says<'_> {
                 if *whole {
                     writeln!(f, "one of these {}, or another that is as near:", methods.len())?;
                 } else {
-                    f.write_str("it cannot be told: many methods have these rows, such as\n")?;
+                    f.write_str(
+                        "it cannot be told: many methods have these rows, or nearly. Some are \
+                         below, and another may have made them:\n",
+                    )?;
                 }
                 let own = methods.first().map(|first| first.equation.k);
                 for made in methods.iter().take(MOST_LISTED) {
