@@ -63,9 +63,9 @@ fn main() -> ExitCode {
 /// The counts as a table in Markdown.
 fn page(found: &Counts) -> String {
     let mut page = String::from(
-        "| Digits | A method: named | one of a few | cannot be told | not found | A mistake: named \
-         | one of a few | cannot be told | not found |\n\
-         |---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        "| Digits | A method: named | left open | not found | A mistake: named | left open | not \
+         found |\n\
+         |---:|---:|---:|---:|---:|---:|---:|\n",
     );
     for (digits, counts) in found {
         write!(page, "| {digits} |").expect("a text takes it");

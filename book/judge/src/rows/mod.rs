@@ -59,6 +59,9 @@ const STICKS_OUT: f64 = 5.0;
 /// way over an edited row.
 const BRIDGED: f64 = 2.0;
 
+/// Of so many methods a list is not said to be all.
+const MOST_LISTED: usize = 12;
+
 /// Says what the rows of a text are.
 ///
 /// # Errors
@@ -659,10 +662,18 @@ fn decide(report: &mut RunReport, data: &Data, found: &Found) -> Fit {
     }
     let by = distinguish(data);
     let mut methods = vec![made(data, &best, same)];
-    let of = |fit: &Fit| matches!(fit.map, Map::Steps(..)).then(|| made(data, fit, Vec::new()));
-    methods.extend(others.iter().filter_map(of));
     let exact = found.motion.filter(|_| found.exact).map(|motion| motion.worst);
-    let whole = exact.is_none() && !found.many;
+    // Where as many are near, more that are as near may be far from where the search began; and
+    // angles alone have a mistake with another velocity, too, which no relative's rows show.
+    let few = others.len() < MOST_LISTED && data.has_velocities();
+    let whole = exact.is_none() && !found.many && few;
+    // A list has all that make the rows of one in it.
+    let relatives = |fit: &Fit| match fit.map {
+        Map::Steps(_, steps) if whole => search::relatives(data, fit, steps),
+        _ => Vec::new(),
+    };
+    let of = |fit: &Fit| matches!(fit.map, Map::Steps(..)).then(|| made(data, fit, relatives(fit)));
+    methods.extend(others.iter().filter_map(of));
     let motion = found.motion.filter(|_| found.exact);
     let best = motion.map_or(best, known_less);
     report.equation = Some(equation(&best));

@@ -795,7 +795,7 @@ pub fn relatives(data: &Data, best: &Fit, steps: u32) -> Vec<(&'static str, f64)
     let wrong = all().iter().filter(|one| !one.right && one.suits(damped, false));
     wrong
         .filter_map(|one| {
-            [1.0, 0.5, 2.0, h, 1.0 / h].into_iter().find_map(|factor| {
+            [1.0, 0.5, 2.0, 0.25, 4.0, h, 1.0 / h].into_iter().find_map(|factor| {
                 let equation = Equation { k: best.equation.k * factor, ..best.equation };
                 let other = Fit { map: Map::Steps(one, steps), equation, ..*best };
                 same(data, best, &other).map(|k| (one.name, k))
