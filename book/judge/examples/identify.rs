@@ -71,9 +71,8 @@ fn page(found: &Counts) -> String {
         write!(page, "| {digits} |").expect("a text takes it");
         for counts in counts {
             let count = |said| counts.get(&said).copied().unwrap_or(0);
-            let (with, without) = (count(Said::AnyWith), count(Said::AnyWithout));
-            let cells =
-                [count(Said::Named), count(Said::OneOf), with + without, count(Said::Other)];
+            let open = [Said::OneOf, Said::AnyWith, Said::AnyWithout].map(count).iter().sum();
+            let cells = [count(Said::Named), open, count(Said::Other)];
             for cell in cells {
                 write!(page, " {cell} |").expect("a text takes it");
             }
