@@ -11,7 +11,7 @@
 
     const ASSETS = new URL('../', document.currentScript.src),
         MOST = 256 << 20,
-        [WIDTH, LEFT, RIGHT] = [640, 64, 8];
+        [LEFT, RIGHT] = [64, 8];
 
     const script = (file, name) =>
         new Promise((resolve, reject) => {
@@ -56,8 +56,10 @@
     function chart(title, lines, height, note) {
         const points = lines.flatMap(({ points }) => points),
             finite = points.filter(([, y]) => Number.isFinite(y)),
+            // So that letters have their size on a telephone too.
+            width = Math.min(640, Math.max(240, result.clientWidth)),
             [low, high] = [0, 1].map(i => finite.map(point => point[i])).map(range),
-            across = t => LEFT + ((t - low[0]) / (low[1] - low[0] || 1)) * (WIDTH - LEFT - RIGHT),
+            across = t => LEFT + ((t - low[0]) / (low[1] - low[0] || 1)) * (width - LEFT - RIGHT),
             up = y => 8 + (1 - (y - high[0]) / (high[1] - high[0] || 1)) * (height - 34);
         const path = ({ points, name }) => {
             let pen = 'M';
@@ -76,13 +78,15 @@
             drawn('text', { x, y, 'text-anchor': anchor }, tick(Number(text.toPrecision(3))));
         const svg = drawn(
             'svg',
-            { viewBox: `0 0 ${WIDTH} ${height}`, role: 'img', 'aria-label': `${title}. ${note}` },
-            drawn('path', { class: 'frame', d: `M${LEFT} 8V${height - 26}H${WIDTH - RIGHT}` }),
+            { viewBox: `0 0 ${width} ${height}`, role: 'img' },
+            drawn('title', {}, title),
+            drawn('desc', {}, note),
+            drawn('path', { class: 'frame', d: `M${LEFT} 8V${height - 26}H${width - RIGHT}` }),
             ...lines.map(path),
             label(LEFT - 6, 16, 'end', high[1]),
             label(LEFT - 6, height - 26, 'end', high[0]),
             label(LEFT, height - 8, 'start', low[0]),
-            label(WIDTH - RIGHT, height - 8, 'end', low[1]),
+            label(width - RIGHT, height - 8, 'end', low[1]),
         );
         return markup`<figure>${svg}<figcaption>${`${title}. ${note}`}</figcaption></figure>`;
     }
