@@ -1,5 +1,5 @@
-"""The page "Which integrator is this?": a table of a run, pasted or dropped, is told what made it, in
-the program's own words; what is no table gets one sentence; nothing leaves the page."""
+"""The page "Which integrator is this?": a table of a run, pasted or dropped, is told what made it,
+in the program's own words; what is no table gets one sentence; nothing leaves the page."""
 
 import math
 import re
