@@ -1,6 +1,6 @@
-//! A thousand random tables of right methods and a thousand of mistakes, which `rows::identify` is
-//! given: no table may be given another's name, and none a list without its maker. Prints how many
-//! are named, by digits, and fails if something false is said of one:
+//! Random tables of right methods, and as many of mistakes, which `rows::identify` is given: no
+//! table may be given another's name, or a fault that it has not. Prints how many are named, by
+//! digits, and fails if something false is said of one. The chapter has the table of two thousand:
 //! `cargo run --release -p pendula-judge --example identify [COUNT [FROM]]`.
 
 use std::collections::BTreeMap;
@@ -23,7 +23,6 @@ struct Made {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Said {
     Named,
-    OneOf,
     /// It cannot be told, and the maker is among the examples, or is not.
     AnyWith,
     AnyWithout,
@@ -71,7 +70,7 @@ fn page(found: &Counts) -> String {
         write!(page, "| {digits} |").expect("a text takes it");
         for counts in counts {
             let count = |said| counts.get(&said).copied().unwrap_or(0);
-            let open = [Said::OneOf, Said::AnyWith, Said::AnyWithout].map(count).iter().sum();
+            let open = [Said::AnyWith, Said::AnyWithout].map(count).iter().sum();
             let cells = [count(Said::Named), open, count(Said::Other)];
             for cell in cells {
                 write!(page, " {cell} |").expect("a text takes it");
@@ -85,7 +84,7 @@ fn page(found: &Counts) -> String {
 /// What is said of a table, or what is false in it.
 ///
 /// A name is right with its steps, or if the maker is among those that are said to have the same
-/// rows; a list, if the maker is in it. Numbers are right within what they are said to be known to.
+/// rows. Numbers are right within what they are said to be known to.
 /// Rows that no one has touched have no faults, and no noise.
 fn said(made: &Made) -> Result<Said, String> {
     let Ok(report) = identify(made.text.as_bytes()) else { return Ok(Said::Other) };
@@ -118,14 +117,9 @@ fn said(made: &Made) -> Result<Said, String> {
     match &report.maker {
         Maker::Method(method) if is_it(method) => numbers(method).map(|()| Said::Named),
         Maker::Method(method) => Err(format!("is said to be {} in {}", method.name, method.steps)),
-        Maker::OneOf { methods, whole, .. } => match methods.iter().find(|method| is_it(method)) {
-            Some(_) => Ok(if *whole { Said::OneOf } else { Said::AnyWith }),
-            None if !whole => Ok(Said::AnyWithout),
-            None => {
-                let names = methods.iter().map(|made| format!("{} in {}", made.name, made.steps));
-                Err(format!("is not in the list of {}", names.collect::<Vec<_>>().join(", ")))
-            }
-        },
+        Maker::Several { methods, .. } => {
+            Ok(if methods.iter().any(is_it) { Said::AnyWith } else { Said::AnyWithout })
+        }
         Maker::Measured { noise } => Err(format!("there is no noise of {noise}")),
         _ => Ok(Said::Other),
     }

@@ -30,7 +30,20 @@ fn the_page_is_told_what_the_judge_finds() {
     assert!(answer(b"").contains("refused"), "{}", answer(b""));
 }
 
-/// Catches: a compiled file that is older than its source.
+/// Rows of forward Euler, with steps so long that four of them tell it.
+#[cfg(feature = "interpreter")]
+fn few_rows() -> String {
+    let (h, mut theta, mut omega) = (0.1, 1.0_f64, 0.0_f64);
+    let mut text = String::from("t,theta,omega\n");
+    for n in 0..5 {
+        writeln!(text, "{:.1},{theta:.10},{omega:.10}", h * f64::from(n)).unwrap();
+        (theta, omega) = (theta + h * omega, omega - h * 9.8 * theta.sin());
+    }
+    text
+}
+
+/// Catches: a compiled file that is older than its source. An interpreter takes some hundred times
+/// as long as a browser, so it is given few rows here; book/browser/rows.py compares more of them.
 #[cfg(feature = "interpreter")]
 #[test]
 fn the_compiled_file_answers_as_the_source() {
@@ -44,7 +57,8 @@ fn the_compiled_file_answers_as_the_source() {
 
     let book = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
     let script = fs::read_to_string(book.join("src/assets/rows.wasm.js")).unwrap();
-    let (_, rest) = script.split_once("globalThis.pendulaRows = \"").expect("its line");
+    let start = "globalThis.pendulaRows = \"";
+    let (_, rest) = script.split_once(start).expect("its line");
     let packed = BASE64_STANDARD.decode(rest.split_once("\";").expect("its end").0).unwrap();
     let mut bytes = Vec::new();
     flate2::read::GzDecoder::new(&packed[..]).read_to_end(&mut bytes).unwrap();
@@ -58,12 +72,14 @@ fn the_compiled_file_answers_as_the_source() {
     let reserve = instance.get_typed_func::<u32, u32>(&store, "reserve").unwrap();
     let identify = instance.get_typed_func::<(), u32>(&store, "identify").unwrap();
     let answer_at = instance.get_typed_func::<(), u32>(&store, "answer_at").unwrap();
-    for text in [table(60, None), table(60, Some(30)), String::new(), "0 1\n".to_string()] {
+    for text in [few_rows(), String::new(), "0 1\n".to_string()] {
         let at = reserve.call(&mut store, text.len() as u32).unwrap();
         memory.write(&mut store, at as usize, text.as_bytes()).unwrap();
         let mut told = vec![0; identify.call(&mut store, ()).unwrap() as usize];
         let at = answer_at.call(&mut store, ()).unwrap();
         memory.read(&store, at as usize, &mut told).unwrap();
-        assert_eq!(String::from_utf8(told).unwrap(), answer(text.as_bytes()));
+        let told = String::from_utf8(told).unwrap();
+        assert!(text.len() < 9 || told.contains("⟦forward-euler⟧, a step of 0.1 s"), "{told}");
+        assert_eq!(told, answer(text.as_bytes()));
     }
 }

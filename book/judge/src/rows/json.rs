@@ -110,10 +110,9 @@ fn made(made: &Made) -> Value {
 fn maker(maker: &Maker) -> Value {
     match maker {
         Maker::Method(method) => json!({"is": "known", "known": [made(method)]}),
-        Maker::OneOf { methods, whole, exact, by } => json!({
-            "is": "one-of",
+        Maker::Several { methods, exact, by } => json!({
+            "is": "several",
             "known": methods.iter().map(made).collect::<Vec<_>>(),
-            "whole": whole,
             "exact_motion_too": exact.is_some(),
             "exact_motion_off": exact,
             "distinguish": by.iter().map(|by| match by {

@@ -59,9 +59,6 @@ const STICKS_OUT: f64 = 5.0;
 /// way over an edited row.
 const BRIDGED: f64 = 2.0;
 
-/// Of so many methods a list is not said to be all.
-const MOST_LISTED: usize = 12;
-
 /// Says what the rows of a text are.
 ///
 /// # Errors
@@ -542,8 +539,7 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
         motion = known_less(motion);
         report.equation = Some(equation(&motion));
         let by = distinguish(data);
-        report.maker =
-            Maker::OneOf { methods: Vec::new(), whole: false, exact: Some(motion.worst), by };
+        report.maker = Maker::Several { methods: Vec::new(), exact: Some(motion.worst), by };
         report.end = Some(at_the_end(data, &motion));
         report.drawn = Some(drawn(data, &motion));
     } else if let Some((noise, fit)) = noise::of_measured(data, motion) {
@@ -663,21 +659,12 @@ fn decide(report: &mut RunReport, data: &Data, found: &Found) -> Fit {
     let by = distinguish(data);
     let mut methods = vec![made(data, &best, same)];
     let exact = found.motion.filter(|_| found.exact).map(|motion| motion.worst);
-    // Where as many are near, more that are as near may be far from where the search began; and
-    // angles alone have a mistake with another velocity, too, which no relative's rows show.
-    let few = others.len() < MOST_LISTED && data.has_velocities();
-    let whole = exact.is_none() && !found.many && few;
-    // A list has all that make the rows of one in it.
-    let relatives = |fit: &Fit| match fit.map {
-        Map::Steps(_, steps) if whole => search::relatives(data, fit, steps),
-        _ => Vec::new(),
-    };
-    let of = |fit: &Fit| matches!(fit.map, Map::Steps(..)).then(|| made(data, fit, relatives(fit)));
+    let of = |fit: &Fit| matches!(fit.map, Map::Steps(..)).then(|| made(data, fit, Vec::new()));
     methods.extend(others.iter().filter_map(of));
     let motion = found.motion.filter(|_| found.exact);
     let best = motion.map_or(best, known_less);
     report.equation = Some(equation(&best));
-    report.maker = Maker::OneOf { methods, whole, exact, by };
+    report.maker = Maker::Several { methods, exact, by };
     best
 }
 

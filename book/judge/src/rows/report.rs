@@ -233,13 +233,11 @@ pub enum Distinguish {
 pub enum Maker {
     /// This method, and no other that is known.
     Method(Box<Made>),
-    /// One of these, or another that is as near.
-    OneOf {
-        /// The likeliest first.
+    /// It cannot be told: several methods make these rows.
+    Several {
+        /// Examples of them, the likeliest first. Another may have made the rows, because methods
+        /// that are as near may be far from where the search began.
         methods: Vec<Made>,
-        /// Whether these are all that are left. Where the exact motion makes the rows, too, or
-        /// many methods do, they are examples.
-        whole: bool,
         /// How far off the exact motion is, in what rounding of both rows does, if it is not ten
         /// times as far off: then no method can be told.
         exact: Option<f64>,

@@ -61,12 +61,12 @@ fn methods_and_mistakes_are_named() {
 #[test]
 fn what_cannot_be_told_is_not_named() {
     let found = report(&text(&run("rk4", &PENDULUM, 0.01, 1, 200), 6));
-    assert!(matches!(found.maker, Maker::OneOf { exact: Some(_), .. }), "{found}");
+    assert!(matches!(found.maker, Maker::Several { exact: Some(_), .. }), "{found}");
     // By angles alone these three are one recurrence.
     let rows = run("stormer-verlet", &PENDULUM, 0.05, 1, 200);
     let alone: String = rows.iter().map(|[t, theta, _]| format!("{t:.2} {theta:.8}\n")).collect();
     let found = report(&alone);
-    let Maker::OneOf { methods, by, .. } = &found.maker else { panic!("{found}") };
+    let Maker::Several { methods, by, .. } = &found.maker else { panic!("{found}") };
     for name in ["stormer-verlet", "symplectic-euler", "symplectic-euler-drift-first"] {
         assert!(methods.iter().any(|made| made.name == name), "{found}");
     }
@@ -237,7 +237,7 @@ fn an_unknown_program_is_given_no_name_and_no_noise() {
         for rows in [60, 200] {
             let found = report(&unknown(digits, rows));
             assert!(
-                matches!(found.maker, Maker::Unknown { .. } | Maker::OneOf { .. }),
+                matches!(found.maker, Maker::Unknown { .. } | Maker::Several { .. }),
                 "{digits} digits: {found}"
             );
             assert!(found.faults.is_empty(), "{digits} digits: {found}");
@@ -281,7 +281,7 @@ fn uneven_times_are_told() {
     }
     let found = report(&text);
     assert_eq!(found.faults, [Fault::Uneven], "{found}");
-    assert!(matches!(found.maker, Maker::OneOf { exact: Some(_), .. }), "{found}");
+    assert!(matches!(found.maker, Maker::Several { exact: Some(_), .. }), "{found}");
     let k = found.equation.unwrap().k;
     assert!((k.value - 9.8).abs() <= k.known_to && k.known_to < 1e-5, "{k:?}");
 }

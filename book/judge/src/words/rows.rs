@@ -301,7 +301,7 @@ impl fmt::Display for Says<'_> {
                 }
                 write!(f, " The same rows, with another k perhaps: {}.", names.join(", "))
             }
-            Maker::OneOf { methods, exact: Some(off), by, .. } => {
+            Maker::Several { methods, exact: Some(off), by } => {
                 f.write_str("it cannot be told: the exact motion ")?;
                 match off {
                     off if *off <= AGREES => f.write_str(
@@ -323,15 +323,11 @@ impl fmt::Display for Says<'_> {
                 )?;
                 write!(f, " its method changes the period. {}", Told(by))
             }
-            Maker::OneOf { methods, whole, exact: None, by } => {
-                if *whole {
-                    writeln!(f, "one of these {}, or another that is as near:", methods.len())?;
-                } else {
-                    f.write_str(
-                        "it cannot be told: many methods have these rows, or nearly. Some are \
-                         below, and another may have made them:\n",
-                    )?;
-                }
+            Maker::Several { methods, exact: None, by } => {
+                f.write_str(
+                    "it cannot be told: several methods have these rows, or nearly. Some are \
+                     below, and another may have made them:\n",
+                )?;
                 let own = methods.first().map(|first| first.equation.k);
                 for made in methods.iter().take(MOST_LISTED) {
                     write!(f, "    {}", Named(made, self.1))?;
@@ -345,15 +341,6 @@ impl fmt::Display for Says<'_> {
                         write!(f, " (the same rows: {})", names.join(", "))?;
                     }
                     f.write_str("\n")?;
-                }
-                if *whole && methods.len() > MOST_LISTED {
-                    let mut names: Vec<&str> = Vec::new();
-                    for made in &methods[MOST_LISTED..] {
-                        if !names.contains(&made.name) {
-                            names.push(made.name);
-                        }
-                    }
-                    writeln!(f, "    and {}", names.join(", "))?;
                 }
                 write!(f, "    {}", Told(by))
             }
