@@ -123,10 +123,11 @@ fn maker(maker: &Maker) -> Value {
             }).collect::<Vec<_>>(),
         }),
         Maker::Measured { noise } => json!({"is": "measured", "noise": noise}),
-        Maker::Unknown { nearest, exact } => json!({
+        Maker::Unknown { nearest, exact, equation: near } => json!({
             "is": "unknown",
             "nearest": nearest.as_ref().map(|(name, off)| json!({"name": name, "off": off})),
             "exact_motion_off": exact,
+            "nearest_equation": equation(near),
         }),
         Maker::NoPendulum => json!({"is": "no-pendulum"}),
     }

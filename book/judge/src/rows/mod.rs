@@ -547,12 +547,15 @@ fn make(report: &mut RunReport, data: &Data, found: Found, motions: &[Motion]) {
         report.drawn = Some(drawn(data, &fit));
         report.maker = Maker::Measured { noise };
     } else if motion.fraction < 0.5 {
-        let fit = known_less(motion.fit);
-        report.equation = Some(equation(&fit));
+        // An unknown method's error may look like another force, or like a drag: so the equation is
+        // the nearest, and none of its numbers is known.
+        let mut fit = motion.fit;
+        fit.known_to.fill(f64::INFINITY);
         report.drawn = Some(drawn(data, &fit));
         let nearest = found.near.first().or(found.nearest.as_ref());
         let nearest = nearest.map(|fit| (name(fit), fit.worst));
-        report.maker = Maker::Unknown { nearest, exact: motion.fit.worst };
+        report.maker =
+            Maker::Unknown { nearest, exact: motion.fit.worst, equation: equation(&fit) };
     }
 }
 

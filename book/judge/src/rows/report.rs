@@ -255,6 +255,9 @@ pub enum Maker {
         nearest: Option<(&'static str, f64)>,
         /// How far off the exact motion is.
         exact: f64,
+        /// The equation whose exact motion is the nearest. None of its numbers is known: the error
+        /// of an unknown method may look like another force, or like a drag.
+        equation: FoundEquation,
     },
     /// No equation of a pendulum was found that describes the rows.
     NoPendulum,
@@ -297,7 +300,7 @@ pub struct RunReport {
     pub read: Read,
     /// What is wrong with the rows.
     pub faults: Vec<Fault>,
-    /// The equation.
+    /// The equation, if it is known with what made the rows.
     pub equation: Option<FoundEquation>,
     /// The method.
     pub maker: Maker,
@@ -305,6 +308,6 @@ pub struct RunReport {
     pub compared: (usize, usize),
     /// What follows.
     pub end: Option<AtTheEnd>,
-    /// What can be drawn, if an equation was found.
+    /// What can be drawn, if an equation was found, or one that is near.
     pub drawn: Option<Drawn>,
 }

@@ -351,7 +351,7 @@ impl fmt::Display for Says<'_> {
                  something like it, and so does noise that was added.)",
                 Scientific(*noise, 1)
             ),
-            Maker::Unknown { nearest, exact } => {
+            Maker::Unknown { nearest, exact, equation } => {
                 f.write_str(if self.0.faults.contains(&Fault::Uneven) {
                     "not looked for, as the rows are not evenly spaced. "
                 } else {
@@ -370,7 +370,13 @@ impl fmt::Display for Says<'_> {
                         "The exact motion is off by {} times what rounding does.",
                         Scientific(*exact, 0)
                     ),
-                }
+                }?;
+                write!(
+                    f,
+                    " Of the equations that were tried {equation} is the nearest; but an unknown \
+                     method's error may look like another force, a drag or another k, so none of \
+                     its numbers is certain."
+                )
             }
             Maker::NoPendulum => f.write_str(
                 "not found: no equation of a pendulum, damped or driven or neither, was found that \
