@@ -1,12 +1,14 @@
 //! Programs of which one answer is late, or none, or ends them: they are begun anew, and it costs
 //! one property.
+//!
+//! What is no `#[test]` here waits, and is run by `super::waiting`.
 
 use std::fs;
 
 use rstest::rstest;
 use serde_json::Value;
 
-use super::{PATIENT, PENDULA, assert_valid, pendula, property};
+use super::{PATIENT, PENDULA, assert_valid, both, pendula, property};
 
 /// A program of the library's, and before it a shell that sees each question first, as `$line`:
 /// where `at_fault` does not `continue`, the question is passed on. What it says by itself goes to
@@ -58,20 +60,29 @@ const HASTY: [&str; 2] = ["--patience", "3"];
 /// Catches: a word that was added to the protocol and ends every program that does not know it; one
 /// that is asked for again and again.
 #[rstest]
-#[case::dies("exit 3", &PATIENT)]
-#[case::complains("echo what do you mean >&3; continue", &PATIENT)]
-#[case::error("echo error unknown word >&3; continue", &PATIENT)]
-#[case::takes_it_for_numbers("echo error no number >&3; exit 1", &PATIENT)]
-#[case::is_silent("continue", &HASTY)]
-fn a_program_of_the_first_protocol_is_judged(#[case] then: &str, #[case] patience: &[&str]) {
-    let at_fault = format!("case $line in hello*|pendulum*|bye) ;; *) {then} ;; esac");
-    let claims = ["--claims", "order=4 name=rk4 evaluations=4"];
-    let (status, report, begun) = judged(&[&claims, patience].concat(), &spoilt("rk4", &at_fault));
+#[case::dies("exit 3")]
+#[case::complains("echo what do you mean >&3; continue")]
+#[case::error("echo error unknown word >&3; continue")]
+#[case::takes_it_for_numbers("echo error no number >&3; exit 1")]
+fn a_program_of_the_first_protocol_is_judged(#[case] then: &str) {
+    of_the_first_protocol(then, &PATIENT);
+}
+
+pub fn a_silent_program_of_the_first_protocol_is_judged() {
+    of_the_first_protocol("continue", &HASTY);
+}
+
+fn of_the_first_protocol(then: &str, patience: &[&str]) {
+    let script =
+        &spoilt("rk4", &format!("case $line in hello*|pendulum*|bye) ;; *) {then} ;; esac"));
+    let judged = |claims: &str| judged(&[&["--claims", claims], patience].concat(), script);
+    let [known, estimate] =
+        both(|| judged("order=4 name=rk4 evaluations=4"), || judged("order=4 estimate=4"));
+    let (status, report, begun) = known;
     assert_eq!((status, report["verdict"].as_str()), (0, Some("holds")), "{}", shown(&report));
     // At the beginning, twice at `solve` and twice at `driven`.
     assert!(begun <= 5, "{begun}");
-    let claims = ["--claims", "order=4 estimate=4"];
-    let (status, report, _) = judged(&[&claims, patience].concat(), &spoilt("rk4", &at_fault));
+    let (status, report, _) = estimate;
     assert_eq!((status, not_measured(&report)), (1, vec!["estimate"]), "{}", shown(&report));
 }
 
@@ -86,12 +97,16 @@ const SERIES: &str = "free-outputs crossings";
 /// Catches: a solver whose one late answer costs the whole report, or is taken for a right one or
 /// for a wrong one; a reason that does not say what was asked; the same question asked twice; a
 /// claim that it runs forward only, of which it is asked backwards all the same.
-#[test]
-fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
-    let backwards =
-        "solve*\" 0.0 1e-\"*\" -\"*|solve*\" 10.0 1e-\"*\" 0.0\"|crossings*\" 2.85\"*\" -\"*";
-    let claims = ["--claims", SERIES];
-    let (status, report, begun) = judged(&[&claims[..], &HASTY].concat(), &waits(backwards));
+pub fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
+    let backwards = &waits(
+        "solve*\" 0.0 1e-\"*\" -\"*|solve*\" 10.0 1e-\"*\" 0.0\"|crossings*\" 2.85\"*\" -\"*",
+    );
+    let forward = format!("{SERIES} forward-only");
+    let [both_ways, forward] = both(
+        || judged(&[&["--claims", SERIES], &HASTY[..]].concat(), backwards),
+        || judged(&[&["--claims", &forward], &PATIENT[..]].concat(), backwards),
+    );
+    let (status, report, begun) = both_ways;
     assert_eq!((status, not_measured(&report)), (1, vec!["rows", "back"]), "{}", shown(&report));
     let why = property(&report, "back")["why"].as_str().unwrap();
     let whole =
@@ -102,9 +117,7 @@ fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
     }
     assert!((3..=7).contains(&begun), "{begun}");
 
-    let forward = format!("{SERIES} forward-only");
-    let (status, report, begun) =
-        judged(&[&["--claims", &forward], &PATIENT[..]].concat(), &waits(backwards));
+    let (status, report, begun) = forward;
     assert_eq!((status, report["verdict"].as_str()), (0, Some("holds")), "{}", shown(&report));
     assert_eq!(
         (property(&report, "back")["claimed"].is_null(), begun),
@@ -115,29 +128,38 @@ fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
 }
 
 /// Catches: one kind of times, or one kind of tolerances, that costs more than its property.
-#[rstest]
-#[case::close_outputs("*\" 5.000000001\"*", &["rows"])]
-#[case::a_far_start("*\" 1000000.0 1e-\"*", &["start"])]
-#[case::other_units("*\" 1e-7 0.01\"", &["units"])]
-fn a_solver_that_waits_costs_one_property(#[case] pattern: &str, #[case] property: &[&str]) {
+pub fn a_wait_at_close_outputs_costs_the_rows() {
+    costs("*\" 5.000000001\"*", "rows");
+}
+
+pub fn a_wait_at_a_far_start_costs_the_start() {
+    costs("*\" 1000000.0 1e-\"*", "start");
+}
+
+pub fn a_wait_in_other_units_costs_the_units() {
+    costs("*\" 1e-7 0.01\"", "units");
+}
+
+fn costs(pattern: &str, property: &str) {
     let options = [&["--claims", SERIES], &HASTY[..]].concat();
     let (status, report, _) = judged(&options, &waits(pattern));
-    assert_eq!((status, not_measured(&report)), (1, property.to_vec()), "{}", shown(&report));
+    assert_eq!((status, not_measured(&report)), (1, vec![property]), "{}", shown(&report));
 }
 
 /// Catches: what is asked at last, and no right solver need answer, held against it, unless that is
 /// claimed; a claim of it that holds for a solver that hangs.
-#[test]
-fn a_right_solver_may_hang_at_the_impossible() {
-    let options = |claims| [&["--claims", claims], &HASTY[..]].concat();
-    let (status, report, _) = judged(&options(SERIES), &waits("*\" NaN \"*"));
+pub fn a_right_solver_may_hang_at_the_impossible() {
+    let judged =
+        |claims| judged(&[&["--claims", claims], &HASTY[..]].concat(), &waits("*\" NaN \"*"));
+    let refuses = format!("{SERIES} refuses");
+    let [silent, refuses] = both(|| judged(SERIES), || judged(&refuses));
+    let (status, report, _) = silent;
     assert_eq!((status, report["verdict"].as_str()), (0, Some("holds")), "{}", shown(&report));
     let refusal = property(&report, "refusal");
     assert_eq!(refusal["verdict"], "unclaimed", "{}", shown(&report));
     let told = refusal["measured"].as_str().unwrap();
     assert!(told.contains("a tolerance that is no number: asked \"solve "), "{told}");
-    let refuses = format!("{SERIES} refuses");
-    let (status, report, _) = judged(&options(&refuses), &waits("*\" NaN \"*"));
+    let (status, report, _) = refuses;
     assert_eq!(
         (status, &report["summary"]),
         (1, &"A claim fails: refusal.".into()),
@@ -162,8 +184,7 @@ fn a_program_that_dies_at_a_question_loses_a_property() {
 /// A solver that answers a few questions, and no more.
 ///
 /// Catches: a program that is begun anew without an end; a report that is lost at the end of it.
-#[test]
-fn a_program_is_not_begun_anew_for_ever() {
+pub fn a_program_is_not_begun_anew_for_ever() {
     let at_fault = "n=$((n + 1)); case $n in ?|1?|2?|3?) ;; *) exec sleep 1000 ;; esac\n\
                     [ $(wc -l < \"$1\") -gt 1 ] && [ $n -gt 1 ] && exec sleep 1000";
     let options = ["--claims", SERIES, "--patience", "0.5"];

@@ -1,4 +1,6 @@
 //! Programs at fault: each is told in one line, in time, and leaves no process behind.
+//!
+//! What is no `#[test]` here waits, and is run by `super::waiting`.
 
 use std::fmt::Debug;
 use std::fs;
@@ -16,7 +18,7 @@ use pendula_judge::{
 use rstest::rstest;
 use tempfile::TempDir;
 
-use super::{PENDULA, pendula, refused, request, started};
+use super::{PENDULA, both, pendula, refused, request, started};
 
 /// A shell script as a program. It writes its number, and that of what it starts, to `$1`.
 struct Script(TempDir);
@@ -99,14 +101,6 @@ fn told_of_each(scripts: &[&str], told_of: impl Fn(&str) -> String + Sync) -> St
     })
 }
 
-/// Does both at once, as programs are waited for in each.
-fn both<T: Send>(one: impl FnOnce() -> T + Send, other: impl FnOnce() -> T + Send) -> [T; 2] {
-    thread::scope(|scope| {
-        let other = scope.spawn(other);
-        [one(), other.join().unwrap()]
-    })
-}
-
 /// Whether the process runs. A zombie does not.
 fn runs(number: &str) -> bool {
     let output = Command::new("ps").args(["-o", "stat=", "-p", number]).output().unwrap();
@@ -164,8 +158,7 @@ const OVER_A_REQUEST: [&str; 14] = [
 /// a number, a part of an answer or one of another length taken for the whole; NaN or infinity that
 /// reaches the judge; gigabytes kept, or read to their end; an escape sequence that reaches the
 /// terminal, a panic over what is no UTF-8; a version that is not spoken here.
-#[test]
-fn a_fault_is_told_in_one_line() {
+pub fn a_fault_is_told_in_one_line() {
     let mut told = refused(&pendula(["verify", "--", "/no/such/program", "x"]));
     let told_of = |script: Script| {
         let line = refused(&script.verified());
@@ -235,8 +228,7 @@ fn told_of<T: Debug>(rest: &str, ask: impl Fn(&Program) -> Result<T, Fault>) -> 
 /// of an answer, or one of another length, taken for the whole; NaN, or a state, for a crossing;
 /// crossings without an end, or in another order than that of the run, that reach the judge; what
 /// was asked left out of the message.
-#[test]
-fn a_fault_of_a_solver_is_told_in_one_line() {
+pub fn a_fault_of_a_solver_is_told_in_one_line() {
     let solve = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&[2.5, 5.0]);
     let solved = |rest: &str| told_of(rest, |program| program.solve(&solve));
     let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
@@ -248,8 +240,7 @@ fn a_fault_of_a_solver_is_told_in_one_line() {
 
 /// Catches: a judge of solvers that holds an answer which breaks the protocol for one, goes on
 /// asking, or does not say what came; a program that knows no solvers taken for one at fault.
-#[test]
-fn the_judge_of_solvers_tells_a_fault() {
+pub fn the_judge_of_solvers_tells_a_fault() {
     let judged = |program: &Program| try_judge_solver(program, Claims::order(5).crossings());
     let tolerance = |program: &Program| -> Result<(), Fault> {
         let report = judged(program)?;
@@ -289,8 +280,7 @@ fn crossings_have_the_order_of_the_run() {
 
 /// Catches: a wait for a program that does not read a question of megabytes, or has ended before
 /// it; a message that quotes all of it.
-#[test]
-fn a_long_question_does_not_keep_the_judge() {
+pub fn a_long_question_does_not_keep_the_judge() {
     let times: Vec<f64> = (1..=100_000).map(|k| f64::from(k) / 30_001.0).collect();
     let request = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&times);
     for (patience, then, because) in [
@@ -314,8 +304,7 @@ fn a_long_question_does_not_keep_the_judge() {
 
 /// Catches: patience for the first request alone, or for each line instead of each answer; a
 /// question that was not answered asked again; a program that is not begun anew for another.
-#[test]
-fn a_program_that_hangs_at_a_later_request() {
+pub fn a_program_that_hangs_at_a_later_request() {
     let later = || {
         let script = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
         let program = script.started(3.0);
@@ -351,8 +340,7 @@ fn a_program_may_greet_first() {
 
 /// Catches: a refusal that ends the conversation, or is taken for a fault; an answer to one request
 /// taken for that to the next.
-#[test]
-fn a_program_may_refuse_and_go_on() {
+pub fn a_program_may_refuse_and_go_on() {
     let text = "echo error too long\nread -r line\necho unsupported\nread -r line\necho 1 2\n\
                 echo error after all\nread -r line\necho 0.5 0.5\necho done\necho 0.5 0.5\n\
                 echo done 3\necho written >> \"$1\"\nread -r line";
