@@ -75,6 +75,13 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
         if (all('h1').length !== 1) find('not one first heading', `${all('h1').length}`);
     }
 
+    // Ids: once each, so that a link leads to one place. axe looks for them no more.
+    const ids = new Set();
+    for (const {id} of all('[id]', document)) {
+        if (ids.has(id)) find('id twice', id);
+        ids.add(id);
+    }
+
     // Width: the page stands still; tables, code and formulas may scroll in a box of their own,
     // though not on paper.
     const width = document.documentElement.clientWidth;
@@ -138,8 +145,9 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
         }
     }
 
-    // Contrast: the ink of every piece of text against the ground that it stands on. axe judges
-    // neither the letters of figures nor single ones, and most formulas are single letters.
+    // Contrast: the ink of every piece of text against the ground that it stands on. axe is not
+    // asked, as it judges neither the letters of figures nor single ones, and most formulas are
+    // single letters.
     const oftenRead = {willReadFrequently: true};
     const rgba = colour => {
         const dot = rgba.dot ??= new OffscreenCanvas(1, 1).getContext('2d', oftenRead);
@@ -153,22 +161,29 @@ async ({letter, index, contrast, paper = false, listings = false}) => {
     const cached = colour => known.get(colour) ?? known.set(colour, rgba(colour)).get(colour);
     const mix = (ink, under, part) => ink * part + under * (1 - part);
     const over = ([r, g, b, a], [R, G, B]) => [mix(r, R, a), mix(g, G, a), mix(b, B, a), 1];
+    const grounds = new Map([[null, [255, 255, 255, 1]]]);
     const ground = element => {
-        if (!element) return [255, 255, 255, 1];
-        const here = cached(getComputedStyle(element).backgroundColor);
-        return here[3] === 1 ? here : over(here, ground(element.parentElement));
+        if (!grounds.has(element)) {
+            const here = cached(getComputedStyle(element).backgroundColor);
+            const whole = here[3] === 1 ? here : over(here, ground(element.parentElement));
+            grounds.set(element, whole);
+        }
+        return grounds.get(element);
     };
     const luminance = ([r, g, b]) => {
         const linear = c => ((c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
         return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
     };
-    const unseen = '.katex-mathml, script, style, template, button, title, desc';
+    const unseen = '.katex-mathml, script, style, template, title, desc, :disabled';
     const faint = new Map();
-    const pieces = document.createTreeWalker(main, NodeFilter.SHOW_TEXT);
+    const fields = 'input:is([type=number], [type=search], [type=text]), select, textarea';
+    const written = new Set(paper ? [] : all(fields, document.body));
+    const pieces = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (pieces.nextNode()) {
-        const element = pieces.currentNode.parentElement;
-        if (!pieces.currentNode.data.trim() || !shown(element)) continue;
-        if (element.closest(unseen)) continue;
+        if (pieces.currentNode.data.trim()) written.add(pieces.currentNode.parentElement);
+    }
+    for (const element of written) {
+        if (element.closest(unseen) || !shown(element)) continue;
         const inside = element.closest('svg');
         const style = getComputedStyle(element);
         const paperColour = ground(inside ?? element);
