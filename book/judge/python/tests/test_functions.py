@@ -133,8 +133,11 @@ def test_a_report_shows_itself_in_two_lines():
     assert second.endswith("; print() shows all of it>")
 
 
-@pytest.mark.parametrize("shape", [(), (1,), (1, 1)])
-def test_numbers_may_be_alone_in_arrays(shape):
+@pytest.mark.parametrize(
+    ("form", "shape"),
+    [("steps", ()), ("steps", (1, 1)), ("rows", (1,)), ("rates", ()), ("rates", (1, 1))],
+)
+def test_numbers_may_be_alone_in_arrays(form, shape):
     """Catches: an array of one number that is no number, here or in the force."""
     numpy = pytest.importorskip("numpy")
 
@@ -157,9 +160,11 @@ def test_numbers_may_be_alone_in_arrays(shape):
         slope = numpy.reshape(rate(t, y), y.shape)
         return y + h * numpy.reshape(rate(t + h / 2, y + h / 2 * slope), y.shape)
 
-    for method in (boxed, walk):
+    if form == "rates":
+        pendula.judge_rate(midpoint, "order=2 evaluations=2", state=numpy.array).check()
+    else:
+        method = boxed if form == "steps" else walk
         pendula.judge(method, f"{LEAPFROG} evaluations=2").check()
-    pendula.judge_rate(midpoint, "order=2 evaluations=2", state=numpy.array).check()
 
 
 def failing(force, theta, omega, h):
