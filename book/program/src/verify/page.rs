@@ -91,8 +91,10 @@ fn verdict(report: &Report) -> String {
     )
 }
 
-/// Text as HTML, with what is between backticks as code and powers raised: tol^(−1/q), tol^0.8.
+/// Text as HTML, with what is between backticks as code and powers raised: tol^(−1/q), tol^0.8. No
+/// line ends within a number.
 fn set(text: &str) -> String {
+    let text = text.replace(" × 10", "\u{a0}×\u{a0}10").replace(" ± ", "\u{a0}±\u{a0}");
     let mut parts = text.split('^');
     let mut html = with_code(parts.next().unwrap_or_default());
     for part in parts {
@@ -262,14 +264,16 @@ fn slopes(points: &[(f64, f64)]) -> Option<String> {
 
 /// Stretches of a run into which its energy error is put together.
 const STRETCHES: usize = 240;
-/// Samples of the end that are drawn one by one.
-const END: usize = 400;
+/// Samples of the end that are drawn one by one: a few swings, so that each can be told.
+const END: usize = 160;
 
 /// Energy error against time: the largest and the smallest of each stretch, and the end enlarged.
 /// Each swing by itself would make a solid block of a long run.
 fn energy(energy: &[(f64, f64)]) -> Option<String> {
     let axes = || Chart::new(Axis::linear("t (s)"), Axis::linear("ΔH/(m g L)"));
-    let stretches = energy.chunks(energy.len().div_ceil(STRETCHES).max(1));
+    // All of one length: of a short one the two lines would meet, as if the error had shrunk.
+    let (all, count) = (energy.len(), STRETCHES.min(energy.len()));
+    let stretches = (0..count).map(|k| &energy[k * all / count..(k + 1) * all / count]);
     let of = |fold: fn(f64, f64) -> f64, from: f64| {
         stretches.clone().map(move |stretch| {
             let middle = stretch[stretch.len() / 2].0;
@@ -477,12 +481,14 @@ mod tests {
         assert!(failing < html.find(r#"scope="row">equation"#), "{html}");
     }
 
-    /// Catches: a power left as it is typed, or one that takes the text after it along.
+    /// Catches: a power left as it is typed, or one that takes the text after it along; a line that
+    /// ends within a number.
     #[test]
     fn powers_are_raised() {
-        let html =
-            "grows as tol<sup>−1/q</sup> with q = 2; tol<sup>0.8</sup> ± 0.1 &lt; <code>x</code>";
-        assert_eq!(set("grows as tol^(−1/q) with q = 2; tol^0.8 ± 0.1 < `x`"), html);
+        let html = "grows as tol<sup>−1/q</sup> with q = 2; tol<sup>0.8</sup>~±~0.1 &lt; \
+                    <code>x</code>, 2~×~10⁻⁴";
+        let text = "grows as tol^(−1/q) with q = 2; tol^0.8 ± 0.1 < `x`, 2 × 10⁻⁴";
+        assert_eq!(set(text).replace('\u{a0}', "~"), html);
     }
 
     /// Catches: a panic where the evidence is a single point or none that has a place.
