@@ -21,14 +21,14 @@ use std::ops::Range;
 use anyhow::{Context, Result, bail, ensure};
 
 use super::listing;
-use super::markdown::{Kind, passages, splice};
+use super::markdown::{Kind, held_after, passages, splice};
 use super::questions;
 use super::sources::Tests;
 use super::typeset::{Maths, inert, value};
 use crate::book::ledger::Ledger;
 use crate::book::{Pattern, pattern};
 
-/// The longest formula (bytes of TeX) that is kept on one line with the punctuation after it.
+/// The longest formula (bytes of TeX) that is kept on one line with what holds on to it.
 const HELD: usize = 24;
 
 /// What a chapter may refer to.
@@ -82,6 +82,10 @@ impl Page<'_> {
         let text = self.text;
         let mut done = 0;
         for (range, kind) in passages(text) {
+            // A formula has taken it along.
+            if range.start < done {
+                continue;
+            }
             self.set_prose(done..range.start)?;
             done = range.end;
             let source = &text[range.clone()];
@@ -102,17 +106,22 @@ impl Page<'_> {
                     let has_value = values.any(|value| dense.contains(value));
                     ensure!(!has_value, "{tex}: a formula takes no value; set it beside");
                     let html = self.setter.maths.set(&tex, display)?;
-                    self.edits.push(match text[done..].chars().next() {
-                        // A browser may break a line after any formula, even before a comma. A long
-                        // one must stay breakable: there the mark is held by the last part.
-                        Some(mark @ (',' | '.' | ';' | ':' | '!' | '?' | ')')) if !display => {
-                            let mark = inert(&mark.to_string());
+                    let after = &text[done..];
+                    let mark = after.starts_with([',', '.', ';', ':', '!', '?', ')']);
+                    let held = if mark { Some(&after[..1]) } else { held_after(after) };
+                    self.edits.push(match held {
+                        // A browser may break a line after any formula, even before a comma or a
+                        // no-break space. A long one must stay breakable: there its last part holds
+                        // what follows.
+                        Some(held) if !display => {
+                            done += held.len();
+                            let held = inert(held).replace(' ', "&nbsp;");
                             let held = if tex.len() <= HELD {
-                                format!("<span class=\"held\">{html}{mark}</span>")
+                                format!("<span class=\"held\">{html}{held}</span>")
                             } else {
-                                with_mark(&html, &mark).with_context(|| tex.to_string())?
+                                with_mark(&html, &held).with_context(|| tex.to_string())?
                             };
-                            (range.start..done + 1, held)
+                            (range.start..done, held)
                         }
                         _ => (range, html),
                     });
@@ -215,8 +224,8 @@ impl Page<'_> {
     }
 }
 
-/// The code span as HTML in which no line ends after a hyphen of an option such as `--every`; none
-/// if there is no such word in it.
+/// The code span as HTML in which no line ends after a hyphen of an option such as `--every`, or
+/// before the bracket of `#[case`; none if there is no such word in it.
 fn with_whole_options(code: &str) -> Option<String> {
     /// A longer word must stay breakable on a phone.
     const WHOLE: usize = 24;
@@ -225,7 +234,7 @@ fn with_whole_options(code: &str) -> Option<String> {
         return None;
     }
     let set = |word: &str| match inert(word) {
-        html if word.contains('-') && (2..=WHOLE).contains(&word.len()) => {
+        html if word.contains(['-', '[']) && (2..=WHOLE).contains(&word.len()) => {
             format!("<span class=\"held\">{html}</span>")
         }
         html => html,
@@ -297,6 +306,7 @@ mod tests {
         "<code>cargo test <span class=\"held\">--test</span> study \
          <span class=\"held\">--</span> x</code>"
     )]
+    #[case("`#[case`", "<code><span class=\"held\">#[case</span></code>")]
     #[case("`a - b`", "`a - b`")]
     #[case("`a-very-long-name-with-many-hyphens.rs`", "`a-very-long-name-with-many-hyphens.rs`")]
     #[case("`` a--b ` ``", "`` a--b ` ``")]
@@ -336,6 +346,8 @@ mod tests {
         let held = |text: &str| set(text).unwrap().matches("<span class=\"held\">").count();
         assert_eq!(held("by $h$, or ($x$) and $y$."), 3);
         assert_eq!(held("by $h$ or\n\n$$x$$, say"), 0);
+        assert!(set("by $h$ rad, or").unwrap().ends_with("&nbsp;rad</span>, or"));
+        assert!(set("at $h$\n= 1 s or").unwrap().ends_with("&nbsp;&#61;&nbsp;1&nbsp;s</span> or"));
         // A long one by its last part alone.
         let long = set(r"$\theta_{n+1} = \theta_n + h\,\omega_n$, or").unwrap();
         let (before, last) =

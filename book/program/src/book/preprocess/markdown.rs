@@ -84,17 +84,34 @@ pub fn held(text: &str) -> String {
     splice(text, gaps(text, &(0..text.len())).map(|gap| (gap, "\u{a0}".to_string())))
 }
 
+/// What no line must separate from a formula before it: the unit, or the value, as in `$h$ = 1 s`;
+/// with the white space before it. `after` is the text after the formula.
+pub fn held_after(after: &str) -> Option<&str> {
+    static HELD: Pattern = Pattern::new(|| {
+        let value = r"=\s[−-]?\d+(?:\.\d+)?";
+        pattern(&format!(r"^(?<held>\s(?:{value}\s{UNITS}|{value}|{UNITS}))(?:$|[^\w/*])"))
+    });
+    Some(HELD.captures(after)?.name("held")?.as_str())
+}
+
+const UNITS: &str = "(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)";
+
 /// Whether this white space is between a number (typed, or from a directive or a formula) and a
-/// unit, or between two groups of digits.
+/// unit, or between two groups of digits, or beside the sign in `h = 0.1`.
 fn is_gap(text: &str, space: &Range<usize>) -> bool {
-    static UNIT: Pattern =
-        Pattern::new(|| pattern(r"^(?:rad/s²?|rad|m/s²?|[µmn]?s|J|kg|m|%)(?:$|[^\w/*])"));
+    static UNIT: Pattern = Pattern::new(|| pattern(&format!(r"^{UNITS}(?:$|[^\w/*])")));
+    static VALUE: Pattern = Pattern::new(|| pattern(r"^[−-]?\d"));
+    static IS_VALUE: Pattern = Pattern::new(|| pattern(r"^=\s[−-]?\d"));
+    static NAME: Pattern = Pattern::new(|| pattern(r"(?:^|[^\w])\w{1,2}[²³]?$"));
     static THOUSANDS: Pattern = Pattern::new(|| pattern(r"^\d{3}(?:$|[^\w])"));
     let (before, after) = (&text[..space.start], &text[space.end..]);
     let digit = before.ends_with(|c: char| c.is_ascii_digit());
     let number =
         before.ends_with(char::is_numeric) || before.ends_with("}}") || before.ends_with('$');
-    number && UNIT.is_match(after) || digit && THOUSANDS.is_match(after)
+    number && UNIT.is_match(after)
+        || digit && THOUSANDS.is_match(after)
+        || before.ends_with(" =") && VALUE.is_match(after)
+        || IS_VALUE.is_match(after) && NAME.is_match(before)
 }
 
 fn stray_dollar(text: &str, range: &Range<usize>) -> Option<Range<usize>> {
@@ -179,13 +196,34 @@ mod tests {
             ("about 2 × 10⁻⁴ rad", "about 2 × 10⁻⁴~rad"),
             ("a step of 0.01\ns is small", "a step of 0.01~s is small"),
             ("| a |\n|---|\n| 12 ns |", "| a |\n|---|\n| 12~ns |"),
+            ("an order = 4", "an order =~4"),
+            ("at γ = 1.07, Δt = −0.1 s", "at γ~=~1.07, Δt~=~−0.1~s"),
         ] {
             assert_eq!(gaps(text), held);
         }
-        for text in
-            ["1 step", "4 methods", "in 1967 1000", "`1 s`", "s 1", "> 1\n> s", "<b>1</b> s"]
-        {
+        for text in [
+            "a = b",
+            "1 step",
+            "4 methods",
+            "in 1967 1000",
+            "`1 s`",
+            "s 1",
+            "> 1\n> s",
+            "<b>1</b> s",
+        ] {
             assert_eq!(gaps(text), text);
+        }
+    }
+
+    /// Catches: a line that begins with the unit of a formula, or ends before its value; words taken
+    /// along.
+    #[test]
+    fn formulas_hold_on_to_their_units() {
+        assert_eq!(held_after(" rad. Then"), Some(" rad"));
+        assert_eq!(held_after(" = 0.05 rad over"), Some(" = 0.05 rad"));
+        assert_eq!(held_after("\n= 50, and"), Some("\n= 50"));
+        for none in ["rad", " radians", " = x", " = 1e-4 s", ", s", " and"] {
+            assert_eq!(held_after(none), None);
         }
     }
 

@@ -36,6 +36,14 @@ pub struct Maths(KatexContext);
 impl Maths {
     /// The HTML of a formula, safe to stand in Markdown.
     pub fn set(&self, tex: &str, display: bool) -> Result<String> {
+        let parts = if display { formulas(tex) } else { vec![tex] };
+        let parts = parts.iter().map(|part| self.set_one(part, display));
+        let html = parts.collect::<Result<Vec<_>>>()?.concat();
+        // One display of several formulas, which stand below one another where there is no room.
+        Ok(inert_html(&html.replace("</span><span class=\"katex-display\">", "")))
+    }
+
+    fn set_one(&self, tex: &str, display: bool) -> Result<String> {
         let settings = Settings::builder()
             .display_mode(display)
             .output(OutputFormat::HtmlAndMathml)
@@ -45,8 +53,27 @@ impl Maths {
         let html = render_to_string(&self.0, tex, &settings)
             .map_err(|error| anyhow!("formula {}: {error}", tex.trim()))?;
         ensure!(!has_bare_root(tex), "formula {}: write \\sqrt{{…}} with braces", tex.trim());
-        Ok(inert_html(&without_annotations(&html)))
+        Ok(without_annotations(&html).into_owned())
     }
+}
+
+/// The formulas that stand beside one another in a display, with `\qquad` between them.
+fn formulas(tex: &str) -> Vec<&str> {
+    static TOKEN: Pattern = Pattern::new(|| pattern(r"\\[A-Za-z]+|\\.|[{}]"));
+    let (mut formulas, mut begin, mut depth) = (Vec::new(), 0, 0);
+    for token in TOKEN.find_iter(tex) {
+        match token.as_str() {
+            "{" | r"\begin" | r"\left" => depth += 1,
+            "}" | r"\end" | r"\right" => depth -= 1,
+            r"\qquad" if depth == 0 => {
+                formulas.push(&tex[begin..token.start()]);
+                begin = token.end();
+            }
+            _ => {}
+        }
+    }
+    formulas.push(&tex[begin..]);
+    formulas
 }
 
 /// Whether there is a root of a bare symbol, `\sqrt2`: katex-rs draws the root sign over it.
@@ -201,6 +228,19 @@ pub(super) mod tests {
         assert!(maths.set(r"2\sqrt2", false).unwrap_err().to_string().contains("braces"));
         let html = maths.set(r"2\sqrt{2} + \sqrt[3]{x}", false).unwrap();
         assert!(html.contains("padding-left") || html.contains("padding&#45;left"), "{html}");
+    }
+
+    /// Catches: formulas that a telephone shows one of, because no line may end between them; one
+    /// torn apart within a bracket or a table.
+    #[test]
+    fn formulas_beside_one_another_are_several() {
+        let torn =
+            r"\left(a \qquad b\right) \begin{aligned} c \qquad \{ \end{aligned} \text{d \qquad}";
+        assert_eq!(formulas(torn), [torn]);
+        assert_eq!(formulas(r"\{a\}, \qquad b"), [r"\{a\}, ", " b"]);
+        let html = Maths::default().set(r"a, \qquad b", true).unwrap();
+        let count = |tag: &str| html.matches(&format!("<span class=\"{tag}\">")).count();
+        assert_eq!((count("katex-display"), count("katex")), (1, 2), "{html}");
     }
 
     /// Catches: only one of the two outputs, for the eye or for a screen reader.
