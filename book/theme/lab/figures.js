@@ -305,12 +305,12 @@ figures.tilted = class extends Moved {
         this.entries();
         const lost = curve.some(Number.isNaN);
         this.strays.textContent =
-            `Over these steps H strays from its start by up to ${measured(off[0])} J` +
+            `Over these steps H strays from its start by up to ${measured(off[0])}\u00a0J` +
             (order === 0
                 ? '.'
                 : lost
                   ? '; the level curve of the modified energy leaves the well, and does not close.'
-                  : `, and the modified energy by up to ${measured(off[1])} J.`);
+                  : `, and the modified energy by up to ${measured(off[1])}\u00a0J.`);
     }
 
     entries() {

@@ -280,14 +280,16 @@ class Plot extends Sheet {
         const { ink, lab, unit } = this;
         const now = series.last[series.length - 1],
             up = now > 0;
-        ink.fillStyle = lab.drawing.looks.get(method.number).colour;
         const size = tick(Number(now.toPrecision(2)));
         const words = `${method.title}: ${size} ${unit} ${up ? '▲' : '▼'}`;
         const y = up ? top + 12 + 18 * i : bottom - 12 - 18 * i;
-        // The curves of the others lie below.
-        const halo = { strokeStyle: lab.drawing.paper, lineWidth: 5, lineJoin: 'round' };
-        Object.assign(ink, halo, { font: FONT, textAlign: 'right', textBaseline: 'middle' });
-        ink.strokeText(words, right - 6, y);
+        // The curves of the others lie below it, up to the edge.
+        Object.assign(ink, { fillStyle: lab.drawing.paper, font: FONT });
+        const width = ink.measureText(words).width + 12,
+            edge = up ? top + 1 : bottom - 1,
+            end = up ? y + 10 : y - 10;
+        ink.fillRect(right - 1 - width, edge, width, end - edge);
+        ink.fillStyle = lab.drawing.looks.get(method.number).colour;
         write(ink, words, right - 6, y, 'right', 'middle');
     }
 

@@ -112,13 +112,17 @@ function checkbox(name, words, isOn, changed) {
 
 // Numbers with every digit, [name, value, of what], and the command that prints the same.
 function spelt(words, values, command = '') {
-    const each = values.flatMap(([name, value, of]) => [
-        `${name} = `,
-        element('data', { value, 'data-of': of }, value),
-        '  ',
-    ]);
+    const each = values.flatMap(([name, value, of]) => {
+        const digits = element('data', { value, 'data-of': of }, value);
+        return [element('span', { class: 'held' }, `${name} = `, digits), '  '];
+    });
     const numbers = markup`<p class="numbers">${words}${each}</p>`;
-    return command ? [numbers, markup`<pre><code>${command}</code></pre>`] : [numbers];
+    // No line ends between an option and its value, or within one.
+    const options = command.split(/ (?=--)/).flatMap(words => [
+        element('span', { class: 'held' }, words),
+        ' ',
+    ]);
+    return command ? [numbers, markup`<pre><code>${options.slice(0, -1)}</code></pre>`] : [numbers];
 }
 
 // The command that takes these steps.
