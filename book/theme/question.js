@@ -47,13 +47,14 @@
             if ('fold' in form.dataset && !exam) this.fold();
         }
 
-        // Puts away what shows the answer: from the first output, figure or table below it, up to
-        // the heading or question after that. A search within the page, or a link, finds it there.
+        // Puts away what shows the answer: from the first output, figure, table or report below it,
+        // up to the heading or question after that. A search within the page, or a link, finds it
+        // there.
         fold() {
             const from = (one, end) =>
                 one && !one.matches(end) ? [one, ...from(one.nextElementSibling, end)] : [];
             const first = from(this.form.nextElementSibling, '.question')
-                .find(it => it.matches('.output, figure, .table-wrapper'));
+                .find(it => it.matches('.output, figure, .table-wrapper, .judged'));
             if (!first) return;
             this.shows = element('div', {className: 'shows'});
             // Where a browser knows this value, it opens what a search or a link leads to.
