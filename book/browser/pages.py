@@ -147,6 +147,17 @@ def paper(tab: Tab, ends: dict[str, tuple[str, str]]) -> list[str]:
     return [f"print.html, on paper: {finding}" for finding in findings]
 
 
+def test_what_is_printed_has_its_fonts(tab):
+    """The page of the whole book prints itself, and a chapter by its button, when the fonts of
+    their formulas are there, though none of these was ever on the screen."""
+    tab.page.add_init_script("""window.print = () => { window.faces =
+        [...document.fonts].filter(it => it.status === 'loaded').map(it => it.family); }""")
+    for page in ["print.html", "forward-euler.html"]:
+        tab.open(page)
+        tab.run("document.querySelector('a.printer')?.click()")
+        assert tab.comes("window.faces?.some(it => it.includes('KaTeX_Size1'))"), page
+
+
 # The classes that mdBook gives to parts of a chapter, and those that its style sheets have within a
 # listing alone.
 OF_MDBOOK = {"boring", "hide-boring", "header", "table-wrapper", "checkbox-img", "checkbox-label",

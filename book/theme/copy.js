@@ -7,8 +7,10 @@
 // stands at the margin, and in the copy as an editor would set it.
 'use strict';
 {
-    document.querySelector('a.printer')?.addEventListener('click', event => {
+    // What was never near the screen has not asked for its fonts: formulas would be blank.
+    document.querySelector('a.printer')?.addEventListener('click', async event => {
         event.preventDefault();
+        await Promise.allSettled([...document.fonts].map(font => font.load()));
         print();
     });
     document.querySelector('a.skip')?.addEventListener('click', event => {

@@ -14,12 +14,20 @@ use crate::output::files;
 /// What mdBook writes between two chapters.
 const BETWEEN: &str = "<div style=\"break-before: page; page-break-before: always;\"></div>";
 
+/// How mdBook has the page print itself, as soon as it is there.
+const PRINTS: &str = "window.setTimeout(window.print, 100);";
+
+/// The same once its fonts are there. What was never near the screen has not asked for them, and its
+/// formulas would be blank.
+const PRINTS_WHOLE: &str = "Promise.allSettled([...document.fonts].map(font => font.load()))\
+                            .then(() => print());";
+
 /// Whether a page is left out; also by who searches ([`super::search`]).
 pub fn is_left_out(page: &str) -> bool {
     page.starts_with("tests/") || page == "solver-reports.html"
 }
 
-/// Shortens the page in the folder of the pages, if the book has one.
+/// Shortens the page in the folder of the pages, if the book has one, and has it print itself whole.
 pub fn shorten(pages: &Path) -> Result<()> {
     let file = pages.join("print.html");
     if !files::exists(&file)? {
@@ -29,6 +37,8 @@ pub fn shorten(pages: &Path) -> Result<()> {
     let print = files::text(&file)?;
     let read = |page: &str| files::text(&pages.join(page));
     let short = without(&print, &listed, read).with_context(|| file.display().to_string())?;
+    ensure!(short.contains(PRINTS), "{} does not print itself as it did", file.display());
+    let short = short.replace(PRINTS, PRINTS_WHOLE);
     fs::write(&file, short).with_context(|| file.display().to_string())
 }
 
