@@ -117,6 +117,8 @@ def test_pasted(tab, book):
     status, words = identified(book, text)
     assert status == 0
     shown = " ".join([said, *(line for lines in listed.values() for line in lines)])
+    # On the page no line ends within a number.
+    shown = shown.replace("\u00a0", " ")
     # But for the calls of entries, which the page has from its file, and the headings.
     plain = re.sub(r" \([^()]*\)", "", words)
     sentences = [line.split(":", 1)[1].strip() for line in plain.splitlines() if line[0] != " "]
@@ -180,6 +182,21 @@ def test_refused(tab, book):
         assert re.fullmatch(r"[^.\n]+\.", said), said
         assert tab.run("document.querySelector('.rows-spot .result').childElementCount") == 0
     assert paste(tab, table()).startswith("symplectic-euler")
+
+
+def test_several_of_one_heading(tab):
+    """Catches: what is wrong with the rows in the column of the headings, and all after it in the
+    wrong place."""
+    tab.screen(TELEPHONE)
+    open_form(tab)
+    lines = table().splitlines()
+    lines[30] = lines[30].replace(lines[30].split(",")[1], "0.5")
+    paste(tab, "\n".join(lines))
+    assert len(dict(tab.run(LISTED))["What was read"]) > 1
+    left = """name => [...new Set([...document.querySelectorAll(`.rows-spot ${name}`)]
+        .map(it => it.getBoundingClientRect().left))]"""
+    [heading], [text] = tab.run(left, "dt"), tab.run(left, "dd")
+    assert heading < text
 
 
 def test_rows_weight(book):

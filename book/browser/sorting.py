@@ -76,7 +76,7 @@ def test_room(tab):
     wide = """[...document.querySelectorAll('.sortable .table-wrapper')].map(box =>
         [box.clientWidth, box.scrollWidth - box.clientWidth])"""
     assert [of for of in tab.run(wide) if of[0] < 1000 or of[1] > 0] == []
-    assert len(tab.run(wide)) == 4
+    assert len(tab.run(wide)) == 5
     tab.screen(TELEPHONE)
     tab.open(PAGE)
     tab.run("document.querySelectorAll('details').forEach(folded => { folded.open = true; })")

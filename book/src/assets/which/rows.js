@@ -183,7 +183,9 @@
             say(refused);
             return;
         }
-        const words = text => text.replace(/⟦(.*?)⟧/g, (_, name) => titled(known, name));
+        // No line ends within a number.
+        const held = text => text.replace(/ ([×±]) /g, '\u00a0$1\u00a0');
+        const words = text => held(text).replace(/⟦(.*?)⟧/g, (_, name) => titled(known, name));
         const [method] = said.filter(([heading]) => heading === 'The method'),
             [first, ...more] = words(method[1]).split('\n'),
             isName = method[1].startsWith('⟦'),
@@ -191,7 +193,7 @@
         const lists = said.map(([heading, text]) => {
             const isMethod = heading === 'The method',
                 lines = isMethod ? more : words(text).split('\n');
-            const told = heading === 'What was read' ? [...lines, ...faults] : lines;
+            const told = heading === 'What was read' ? [...lines, ...faults.map(held)] : lines;
             return told.length
                 ? [
                       element('dt', {}, heading),
