@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use pendula_judge::Verdict;
 
-use super::text::{escape, plain};
+use super::text::{escape, plain, raised};
 use super::{Aside, Finding, JUDGED, Judged, Library, Outcome, SOLVERS};
 use crate::report::table::Table;
 
@@ -70,7 +70,7 @@ fn of_a_solver(it: &Judged) -> String {
         }
     }
     for line in &found.look_at {
-        let _ = writeln!(page, "* {}", plain(line));
+        let _ = writeln!(page, "* {}", raised(&plain(line)));
     }
     page.push('\n');
     if found.findings.is_empty() {
@@ -83,7 +83,7 @@ fn of_a_solver(it: &Judged) -> String {
             if finding.claimed.is_empty() { "–" } else { finding.claimed }.to_string(),
             finding.verdict.name().to_string(),
             bound(finding),
-            plain(finding.measured),
+            raised(&plain(finding.measured)),
         ]);
     }
     page + &table.with_remarks(5).to_markdown() + "\n</details>\n\n"
