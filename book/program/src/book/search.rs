@@ -242,7 +242,8 @@ impl State {
         } else if self.heading.is_some() {
             self.section.title.push_str(text);
         } else {
-            self.section.shown.push_str(text);
+            // The marks of a table say nothing without their columns.
+            self.section.shown.push_str(&text.replace('●', ""));
             self.section.searched.push_str(text);
         }
     }
@@ -339,7 +340,7 @@ mod tests {
         class="katex-html"><i>Φ</i></span></span>.</p>
         <figure><svg><text>−1.5</text><g><svg></svg></g></svg>
         <figcaption>Seen &amp; told.</figcaption></figure>
-        <h2 id="e">Exercises</h2><p>Prove it.</p>
+        <h2 id="e">Exercises</h2><p>Prove it.</p><table><tr><td>●</td><td>●</td></tr></table>
         <fieldset class="question"><label>Which?</label></fieldset>
         <details><summary>Solution 1</summary><details><p>No</p></details><p>one.</p></details>
         <details><summary>More</summary><p>Half <math><mfrac>12</mfrac></math>.</p></details>
@@ -349,8 +350,8 @@ mod tests {
         of_page("s.html", PAGE).unwrap()
     }
 
-    /// Catches: letters of a figure, a formula's second copy, or an answer in what is found; what
-    /// stands after them lost.
+    /// Catches: letters of a figure, a formula's second copy, the marks of a table, or an answer in
+    /// what is found; what stands after them lost.
     #[test]
     fn what_is_read_is_the_prose_of_each_section() {
         let sections = sections();

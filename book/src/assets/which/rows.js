@@ -184,7 +184,7 @@
             return;
         }
         // No line ends within a number.
-        const held = text => text.replace(/ ([×±]) /g, '\u00a0$1\u00a0');
+        const held = text => text.replaceAll(' × ', '\u00a0×\u00a0');
         const words = text => held(text).replace(/⟦(.*?)⟧/g, (_, name) => titled(known, name));
         const [method] = said.filter(([heading]) => heading === 'The method'),
             [first, ...more] = words(method[1]).split('\n'),
