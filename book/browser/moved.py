@@ -141,7 +141,7 @@ def test_tilted(tab, book):
 
     def strays() -> list[float]:
         said = figure.text(".strays")
-        return [number(strayed) for strayed in re.findall(r"up to (\S+(?:\s×\s10\S+)?) J", said)]
+        return [number(strayed) for strayed in re.findall(r"up to (\S+(?:\s×\s10\S+)?)\sJ", said)]
 
     def points() -> int:
         """The markers of the method."""
