@@ -17,8 +17,8 @@ const BETWEEN: &str = "<div style=\"break-before: page; page-break-before: alway
 /// How mdBook has the page print itself, as soon as it is there.
 const PRINTS: &str = "window.setTimeout(window.print, 100);";
 
-/// The same once its fonts are there. What was never near the screen has not asked for them, and its
-/// formulas would be blank.
+/// The same once its fonts are there. What was never near the screen has not asked for them, and
+/// its formulas would be blank.
 const PRINTS_WHOLE: &str = "Promise.allSettled([...document.fonts].map(font => font.load()))\
                             .then(() => print());";
 
@@ -27,7 +27,8 @@ pub fn is_left_out(page: &str) -> bool {
     page.starts_with("tests/") || page == "solver-reports.html"
 }
 
-/// Shortens the page in the folder of the pages, if the book has one, and has it print itself whole.
+/// Shortens the page in the folder of the pages, if the book has one, and has it print itself with
+/// all its formulas.
 pub fn shorten(pages: &Path) -> Result<()> {
     let file = pages.join("print.html");
     if !files::exists(&file)? {

@@ -215,8 +215,8 @@ mod tests {
         }
     }
 
-    /// Catches: a line that begins with the unit of a formula, or ends before its value; words taken
-    /// along.
+    /// Catches: a line that begins with the unit of a formula, or ends before its value; words that
+    /// are taken along.
     #[test]
     fn formulas_hold_on_to_their_units() {
         assert_eq!(held_after(" rad. Then"), Some(" rad"));
