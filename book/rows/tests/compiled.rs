@@ -30,6 +30,20 @@ fn the_page_is_told_what_the_judge_finds() {
     assert!(answer(b"").contains("refused"), "{}", answer(b""));
 }
 
+/// Catches: an answer that is no JSON because of what stands in a heading, or of a row that is not
+/// compared and has no number.
+#[test]
+fn the_answer_is_json_whatever_the_heading() {
+    let table = table(100, None).replace("theta", "theta\\\"\u{1}’");
+    let told: serde_json::Value = serde_json::from_str(&answer(table.as_bytes())).unwrap();
+    let read = told["said"][0][1].as_str().unwrap();
+    assert!(read.contains("theta"), "{read}");
+    let drawn = told["drawn"].as_object().unwrap();
+    let lengths = drawn.values().map(|line| line.as_array().unwrap().len());
+    assert_eq!(lengths.collect::<Vec<_>>(), [100; 4]);
+    assert!(drawn["off"][0].is_null() && drawn["off"][1].is_number());
+}
+
 /// Rows of forward Euler, with steps so long that three of them tell it.
 #[cfg(feature = "interpreter")]
 fn few_rows() -> String {

@@ -3,8 +3,7 @@
 use std::cell::Cell;
 use std::sync::LazyLock;
 
-use serde_json::Value;
-
+use super::packed::{A_THETA, B_THETA, NAMES as NAMES_OF_ALL, OLD_FORCE, Packed, TIMES, WRONG};
 use super::report::Force;
 
 /// θ̈ = -k f(θ) - c ω + a cos Ωt + b sin Ωt.
@@ -127,8 +126,7 @@ enum Word {
 }
 
 const MOST_STAGES: usize = 40;
-/// The names of a formula: q, p, h, c, theta and omega, and those that it makes.
-const NAMES: [&str; 6] = ["q", "p", "h", "c", "theta", "omega"];
+/// Of a formula: q, p, h, c, theta and omega, and those that it makes.
 const MOST_NAMES: usize = 32;
 
 /// A state, and when it is.
@@ -403,43 +401,36 @@ pub fn named(name: &str) -> Option<&'static Candidate> {
     ALL.iter().find(|candidate| candidate.name == name)
 }
 
-static FILE: LazyLock<Value> = LazyLock::new(|| {
-    let text = include_str!("../../known-answers/coefficients.json");
-    serde_json::from_str(text).expect("the file is JSON")
+static ALL: LazyLock<Vec<Candidate>> = LazyLock::new(|| {
+    let mut packed = Packed::new();
+    NAMES_OF_ALL.lines().map(|name| candidate(name, &mut packed)).collect()
 });
-static ALL: LazyLock<Vec<Candidate>> =
-    LazyLock::new(|| list(&FILE).iter().map(candidate).collect());
 
-// The file is part of the library: what is missing from it is a mistake of ours.
+// What is read here is written by the build script, in this order.
 
-fn list(value: &'static Value) -> &'static [Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
-}
-
-fn numbers(value: &'static Value) -> Vec<f64> {
-    list(value).iter().map(|x| x.as_f64().expect("a number")).collect()
-}
-
-fn candidate(entry: &'static Value) -> Candidate {
-    let name = entry["name"].as_str().expect("a name");
-    let kind = match entry["kind"].as_str().expect("a kind") {
-        "rk" => Kind::RungeKutta(stages(entry)),
-        "rkn" => Kind::Nystrom(stages(entry)),
-        "splitting" => {
-            let moves: Vec<Move> = list(&entry["moves"]).iter().map(one_move).collect();
+fn candidate(name: &'static str, packed: &mut Packed) -> Candidate {
+    let has = packed.whole();
+    let kind = match packed.whole() {
+        0 => Kind::RungeKutta(stages(packed, has)),
+        1 => Kind::Nystrom(stages(packed, has)),
+        2 => {
+            let moves = packed.list(one_move);
             let gradient = |m: &Move| matches!(m, Move::Kick { gradient, .. } if *gradient != 0.0);
             let gradients = moves.iter().any(gradient);
-            let old_force = !entry["old_force"].is_null();
-            Kind::Splitting { moves, old_force, gradients, timed: !entry["times"].is_null() }
+            let [old_force, timed] = [OLD_FORCE, TIMES].map(|bit| has & bit != 0);
+            Kind::Splitting { moves, old_force, gradients, timed }
         }
-        "multistep" => Kind::Multistep {
-            values: numbers(&entry["values"]),
-            explicit: numbers(&entry["explicit"]),
-            implicit: numbers(&entry["implicit"]),
-        },
-        _ => formula_of(entry),
+        3 => {
+            let [values, explicit, implicit] = core::array::from_fn(|_| packed.numbers());
+            Kind::Multistep { values, explicit, implicit }
+        }
+        _ => {
+            let lines = packed.list(|packed| (packed.whole(), packed.list(word)));
+            let drag = |word: &Word| matches!(word, Word::Name(3));
+            let damped = lines.iter().any(|(_, words)| words.iter().any(drag));
+            Kind::Formula { lines, damped }
+        }
     };
-    let right = entry["wrong"].is_null();
     let weight = weight(&kind);
     let cost = match &kind {
         Kind::RungeKutta(stages) | Kind::Nystrom(stages) => {
@@ -449,28 +440,29 @@ fn candidate(entry: &'static Value) -> Candidate {
         Kind::Splitting { moves, .. } => moves.len() as u64,
         Kind::Multistep { .. } | Kind::Formula { .. } => 4,
     };
-    Candidate { name, right, kind, weight, cost }
+    Candidate { name, right: has & WRONG == 0, kind, weight, cost }
 }
 
-fn stages(entry: &'static Value) -> Stages {
-    let size = list(&entry["a"]).len();
+fn stages(packed: &mut Packed, has: usize) -> Stages {
+    let mut c = packed.numbers();
+    let a = packed.rows();
+    let size = a.len();
     assert!(size <= MOST_STAGES, "{size} stages");
     let full = |mut row: Vec<f64>| {
         row.resize(size, 0.0);
         row
     };
-    let rows = |value: &'static Value| list(value).iter().map(numbers).collect::<Vec<_>>();
+    c = full(c);
+    let b = full(packed.numbers());
+    let a_theta = (has & A_THETA != 0).then(|| packed.rows());
+    let b_theta = (has & B_THETA != 0).then(|| full(packed.numbers()));
+    let times = (has & TIMES != 0).then(|| full(packed.numbers()));
     let explicit = |a: &[Vec<f64>]| a.iter().enumerate().all(|(i, row)| row.len() <= i);
-    let a = rows(&entry["a"]);
-    let a_theta = entry.get("a_theta").map(rows);
-    let b = full(numbers(&entry["b"]));
-    let c = full(numbers(&entry["c"]));
-    let times = entry.get("times").map(|times| full(numbers(times)));
     Stages {
         explicit: explicit(&a) && a_theta.as_deref().is_none_or(explicit),
         otherwise_timed: times.is_some(),
         times: times.unwrap_or_else(|| c.clone()),
-        b_theta: entry.get("b_theta").map_or_else(|| b.clone(), |x| full(numbers(x))),
+        b_theta: b_theta.unwrap_or_else(|| b.clone()),
         c,
         a,
         a_theta,
@@ -478,42 +470,26 @@ fn stages(entry: &'static Value) -> Stages {
     }
 }
 
-fn one_move(value: &'static Value) -> Move {
-    match numbers(value)[..] {
-        [length] => Move::Drift(length),
-        [length, at, gradient] => Move::Kick { length, at, gradient },
-        _ => panic!("a move of one number or of three"),
+fn one_move(packed: &mut Packed) -> Move {
+    match packed.whole() {
+        1 => Move::Drift(packed.number()),
+        _ => {
+            let [length, at, gradient] = core::array::from_fn(|_| packed.number());
+            Move::Kick { length, at, gradient }
+        }
     }
 }
 
-fn formula_of(entry: &'static Value) -> Kind {
-    let mut names: Vec<&str> = NAMES.to_vec();
-    let mut lines = Vec::new();
-    for line in list(&entry["formula"]) {
-        let line = line.as_str().expect("a text");
-        let (name, words) = line.split_once(" = ").expect("name = words");
-        let words = words.split(' ').map(|word| match word {
-            "+" => Word::Plus,
-            "-" => Word::Minus,
-            "*" => Word::Times,
-            "/" => Word::Over,
-            "f" => Word::Force,
-            _ => match names.iter().position(|name| *name == word) {
-                Some(i) => Word::Name(i),
-                None => Word::Number(word.parse().expect("a number")),
-            },
-        });
-        let words: Vec<Word> = words.collect();
-        let at = names.iter().position(|other| *other == name).unwrap_or_else(|| {
-            names.push(name);
-            names.len() - 1
-        });
-        lines.push((at, words));
+fn word(packed: &mut Packed) -> Word {
+    match packed.whole() {
+        0 => Word::Force,
+        1 => Word::Plus,
+        2 => Word::Minus,
+        3 => Word::Times,
+        4 => Word::Over,
+        5 => Word::Number(packed.number()),
+        name => Word::Name(name - 6),
     }
-    assert!(names.len() <= MOST_NAMES, "{} names", names.len());
-    let drag = |word: &Word| matches!(word, Word::Name(3));
-    let damped = lines.iter().any(|(_, words)| words.iter().any(drag));
-    Kind::Formula { lines, damped }
 }
 
 /// The sum of the sizes of the coefficients: of a step's sums, and of the longest sum of a stage.
@@ -541,6 +517,69 @@ fn weight(kind: &Kind) -> f64 {
 mod tests {
     use super::*;
     use crate::known_answers;
+
+    /// Catches: a coefficient that is packed or read back with another last bit, sign or place, an
+    /// entry that is left out.
+    #[test]
+    fn what_is_packed_is_in_the_file_to_the_last_bit() {
+        fn add(value: &serde_json::Value, numbers: &mut Vec<u64>) {
+            match value.as_f64() {
+                Some(x) => numbers.push(x.to_bits()),
+                None => value.as_array().into_iter().flatten().for_each(|x| add(x, numbers)),
+            }
+        }
+        let file = include_str!("../../known-answers/coefficients.json");
+        let entries: Vec<serde_json::Value> = serde_json::from_str(file).unwrap();
+        assert_eq!(entries.len(), all().len());
+        for (entry, candidate) in entries.iter().zip(all()) {
+            assert_eq!(entry["name"], candidate.name);
+            assert_eq!(entry["wrong"] == true, !candidate.right, "{}", candidate.name);
+            let mut expected = Vec::new();
+            let read: Vec<f64> = match &candidate.kind {
+                Kind::RungeKutta(stages) | Kind::Nystrom(stages) => {
+                    let or =
+                        |key: &'static str, other| if entry[key].is_null() { other } else { key };
+                    let keys =
+                        ["c", "a", "b", or("a_theta", "a"), or("b_theta", "b"), or("times", "c")];
+                    keys.iter().for_each(|key| add(&entry[*key], &mut expected));
+                    let Stages { times, c, a, a_theta, b, b_theta, .. } = stages;
+                    let a_theta = a_theta.as_ref().unwrap_or(a);
+                    [c, &a.concat(), b, &a_theta.concat(), b_theta, times].map(Vec::clone).concat()
+                }
+                Kind::Splitting { moves, .. } => {
+                    add(&entry["moves"], &mut expected);
+                    let numbers = |one: &Move| match *one {
+                        Move::Drift(length) => vec![length],
+                        Move::Kick { length, at, gradient } => vec![length, at, gradient],
+                    };
+                    moves.iter().flat_map(numbers).collect()
+                }
+                Kind::Multistep { values, explicit, implicit } => {
+                    for key in ["values", "explicit", "implicit"] {
+                        add(&entry[key], &mut expected);
+                    }
+                    [&values[..], explicit, implicit].concat()
+                }
+                Kind::Formula { lines, .. } => {
+                    let words = entry["formula"].as_array().unwrap().iter();
+                    let words = words.flat_map(|line| line.as_str().unwrap().split(' '));
+                    let numbers =
+                        words.filter_map(|word| Some(word.parse::<f64>().ok()?.to_bits()));
+                    expected.extend(numbers);
+                    let number = |word: &Word| match *word {
+                        Word::Number(x) => Some(x),
+                        _ => None,
+                    };
+                    lines.iter().flat_map(|(_, words)| words).filter_map(number).collect()
+                }
+            };
+            // Zeros at the end of a row are not in the file.
+            let bits = |x: f64| (x != 0.0).then(|| x.to_bits());
+            expected.retain(|&x| x != 0);
+            let read: Vec<u64> = read.into_iter().filter_map(bits).collect();
+            assert_eq!(read, expected, "{}", candidate.name);
+        }
+    }
 
     /// Each table, on the equation of the known answers, against their 25 digits.
     ///

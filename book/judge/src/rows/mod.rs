@@ -28,6 +28,7 @@ mod faults;
 mod fit;
 mod json;
 mod noise;
+mod packed;
 mod parse;
 mod report;
 mod search;
