@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::sync::LazyLock;
 
+use super::lanes::Four;
 use super::packed::{A_THETA, B_THETA, NAMES as NAMES_OF_ALL, OLD_FORCE, Packed, TIMES, WRONG};
 use super::report::Force;
 
@@ -20,21 +21,45 @@ pub struct Equation {
 }
 
 impl Equation {
-    /// The acceleration.
-    #[inline]
-    pub fn acceleration(&self, t: f64, theta: f64, omega: f64) -> f64 {
-        let [a, b, frequency] = self.drive;
-        let free = -self.k * self.force.at(theta) - self.c * omega;
-        if frequency == 0.0 {
-            return free;
-        }
-        free + a * libm::cos(frequency * t) + b * libm::sin(frequency * t)
-    }
-
     /// How fast it changes at most (1/s).
     pub fn rate(&self) -> f64 {
         let rate = libm::sqrt(self.k.abs()) * self.force.stiffness();
         libm::fmax(rate, libm::fmax(self.drive[2], self.c.abs()))
+    }
+}
+
+/// The equations of four pairs: k and c may differ.
+#[derive(Clone, Copy, Debug)]
+pub struct Equations {
+    force: Force,
+    k: Four,
+    c: Four,
+    drive: [f64; 3],
+}
+
+impl Equations {
+    /// Of the same force and drive.
+    pub fn of(each: [Equation; 4]) -> Self {
+        let [Equation { force, drive, .. }, ..] = each;
+        Self { force, k: Four(each.map(|one| one.k)), c: Four(each.map(|one| one.c)), drive }
+    }
+
+    /// One of them.
+    pub fn one(&self, lane: usize) -> Equation {
+        let Self { force, k, c, drive } = *self;
+        Equation { force, k: k.0[lane], c: c.0[lane], drive }
+    }
+
+    /// The accelerations.
+    #[inline]
+    fn acceleration(&self, t: Four, theta: Four, omega: Four) -> Four {
+        let [a, b, frequency] = self.drive;
+        let free = self.k * self.force.of(theta) * -1.0 - self.c * omega;
+        if frequency == 0.0 {
+            return free;
+        }
+        let phase = t * frequency;
+        free + phase.cosine() * a + phase.sine() * b
     }
 }
 
@@ -45,15 +70,20 @@ impl Force {
     pub const OTHERS: [Self; 4] = [Self::Cubic, Self::Cosine, Self::SineCosine, Self::Degrees];
 
     /// f(θ).
-    #[inline]
     pub fn at(self, theta: f64) -> f64 {
+        self.of(Four([theta; 4])).0[0]
+    }
+
+    /// f(θ) of each.
+    #[inline]
+    fn of(self, theta: Four) -> Four {
         match self {
-            Self::Sine => libm::sin(theta),
+            Self::Sine => theta.sine(),
             Self::Linear => theta,
             Self::Cubic => theta - theta * theta * theta / 6.0,
-            Self::Cosine => libm::cos(theta),
-            Self::SineCosine => libm::sin(theta) * libm::cos(theta),
-            Self::Degrees => libm::sin(theta.to_radians()),
+            Self::Cosine => theta.cosine(),
+            Self::SineCosine => theta.sine() * theta.cosine(),
+            Self::Degrees => theta.map(f64::to_radians).sine(),
         }
     }
 
@@ -131,6 +161,8 @@ const MOST_NAMES: usize = 32;
 
 /// A state, and when it is.
 pub type State = [f64; 2];
+/// Four of them.
+pub type States = [Four; 2];
 
 impl Candidate {
     /// Whether it is told apart only under a drive, from the method that it is made of.
@@ -164,63 +196,99 @@ impl Candidate {
 
     /// The state after so many steps.
     pub fn run(&self, equation: &Equation, t: f64, z: State, h: f64, steps: u32) -> State {
-        let mut z = z;
-        WORK.set(WORK.get() + u64::from(steps) * self.cost);
-        for i in 0..steps {
-            let now = t + h * f64::from(i);
-            z = match &self.kind {
-                Kind::RungeKutta(stages) => stages.runge_kutta(equation, now, z, h),
-                Kind::Nystrom(stages) => stages.nystrom(equation, now, z, h),
-                Kind::Splitting { moves, old_force, .. } => {
-                    splitting(moves, *old_force, equation, now, z, h)
-                }
-                Kind::Formula { lines, .. } => formula(lines, equation, now, z, h),
-                Kind::Multistep { .. } => [f64::NAN; 2],
-            };
-            // Beyond, a sine takes as long as a step.
-            if !(z[0].abs() < 1e6 && z[1].abs() < 1e9) {
-                return [f64::NAN; 2];
+        let [t, q, p, h] = [t, z[0], z[1], h].map(|x| Four([x; 4]));
+        let [q, p] = self.run_four(&Equations::of([*equation; 4]), t, [q, p], h, [steps, 0, 0, 0]);
+        [q.0[0], p.0[0]]
+    }
+
+    /// The states after so many steps of each.
+    pub fn run_four(
+        &self,
+        equations: &Equations,
+        t: Four,
+        z: States,
+        h: Four,
+        steps: [u32; 4],
+    ) -> States {
+        WORK.set(WORK.get() + steps.iter().map(|&n| u64::from(n)).sum::<u64>() * self.cost);
+        match &self.kind {
+            Kind::RungeKutta(stages) => {
+                let mut room = [[Four::default(); MOST_STAGES]; 2];
+                repeat(t, z, h, steps, |t, z| stages.runge_kutta(equations, t, z, h, &mut room))
             }
+            Kind::Nystrom(stages) => {
+                let mut room = [Four::default(); MOST_STAGES];
+                repeat(t, z, h, steps, |t, z| stages.nystrom(equations, t, z, h, &mut room))
+            }
+            Kind::Splitting { moves, old_force, .. } => {
+                repeat(t, z, h, steps, |t, z| splitting(moves, *old_force, equations, t, z, h))
+            }
+            Kind::Formula { lines, .. } => {
+                repeat(t, z, h, steps, |t, z| formula(lines, equations, t, z, h))
+            }
+            Kind::Multistep { .. } => [Four([f64::NAN; 4]); 2],
         }
-        z
     }
 
     /// A step of a multi-step method from older states, newest first.
     pub fn step_from(&self, equation: &Equation, t: f64, past: &[State], h: f64) -> State {
+        let past: Vec<States> = past.iter().map(|z| z.map(|x| Four([x; 4]))).collect();
+        let equations = Equations::of([*equation; 4]);
+        let [q, p] = self.step_four_from(&equations, Four([t; 4]), &past, Four([h; 4]));
+        [q.0[0], p.0[0]]
+    }
+
+    /// A step of each.
+    pub fn step_four_from(
+        &self,
+        equations: &Equations,
+        t: Four,
+        past: &[States],
+        h: Four,
+    ) -> States {
         let Kind::Multistep { values, explicit, implicit } = &self.kind else {
-            return self.run(equation, t, past[0], h, 1);
+            return self.run_four(equations, t, past[0], h, [1; 4]);
         };
-        let slopes: Vec<State> = (0..past.len())
+        let slopes: Vec<States> = (0..past.len())
             .map(|i| {
                 let [q, p] = past[i];
-                [p, equation.acceleration(t - h * i as f64, q, p)]
+                [p, equations.acceleration(t - h * i as f64, q, p)]
             })
             .collect();
-        let sum = |weights: &[f64], of: &[State]| {
-            let mut sum = [0.0; 2];
-            for (w, z) in weights.iter().zip(of) {
-                sum = [sum[0] + w * z[0], sum[1] + w * z[1]];
+        let sum = |weights: &[f64], of: &[States]| {
+            let mut sum = [Four::default(); 2];
+            for (&w, z) in weights.iter().zip(of) {
+                sum = [sum[0] + z[0] * w, sum[1] + z[1] * w];
             }
             sum
         };
         let old = if values.is_empty() { past[0] } else { sum(values, past) };
-        let add = |[a, b]: State, [x, y]: State| [a + h * x, b + h * y];
+        let add = |[a, b]: States, [x, y]: States| [a + h * x, b + h * y];
         let mut new = if explicit.is_empty() {
             add(past[0], slopes[0])
         } else {
             add(old, sum(explicit, &slopes))
         };
-        let Some((first, rest)) = implicit.split_first() else { return new };
+        let Some((&first, rest)) = implicit.split_first() else { return new };
         let known = add(old, sum(rest, &slopes));
         // A corrector once after a predictor, otherwise until it is settled.
         let sweeps = if explicit.is_empty() { 60 } else { 1 };
+        let mut settled = [false; 4];
         for _ in 0..sweeps {
-            let slope = [new[1], equation.acceleration(t + h, new[0], new[1])];
-            let better = add(known, [first * slope[0], first * slope[1]]);
-            let near = |i: usize| (better[i] - new[i]).abs() <= f64::EPSILON * better[i].abs();
-            let settled = near(0) && near(1);
-            new = better;
-            if settled {
+            let slope = [new[1], equations.acceleration(t + h, new[0], new[1])];
+            let better = add(known, [slope[0] * first, slope[1] * first]);
+            for lane in 0..4 {
+                if settled[lane] {
+                    continue;
+                }
+                let near = |i: usize| {
+                    let (a, b): (f64, f64) = (better[i].0[lane], new[i].0[lane]);
+                    (a - b).abs() <= f64::EPSILON * a.abs()
+                };
+                settled[lane] = near(0) && near(1);
+                (0..2).for_each(|i| new[i].0[lane] = better[i].0[lane]);
+            }
+            if settled == [true; 4] {
                 break;
             }
         }
@@ -228,126 +296,181 @@ impl Candidate {
     }
 }
 
-fn dot(a: &[f64], x: &[f64]) -> f64 {
-    a.iter().zip(x).map(|(a, x)| a * x).sum()
+/// So many steps of each; what leads out of every range has no state.
+#[inline(always)]
+fn repeat(
+    t: Four,
+    mut z: States,
+    h: Four,
+    mut steps: [u32; 4],
+    mut step: impl FnMut(Four, States) -> States,
+) -> States {
+    let mut i = 0;
+    while steps.iter().any(|&steps| i < steps) {
+        let [q, p] = step(t + h * f64::from(i), z);
+        for (lane, steps) in steps.iter_mut().enumerate().filter(|(_, steps)| i < **steps) {
+            let mut new: State = [q.0[lane], p.0[lane]];
+            // Beyond, a sine has no value.
+            if !(new[0].abs() < 1e6 && new[1].abs() < 1e9) {
+                (new, *steps) = ([f64::NAN; 2], 0);
+            }
+            (z[0].0[lane], z[1].0[lane]) = (new[0], new[1]);
+        }
+        i += 1;
+    }
+    z
+}
+
+#[inline]
+fn dot(a: &[f64], x: &[Four]) -> Four {
+    a.iter().zip(x).fold(Four::default(), |sum, (&a, &x)| sum + x * a)
 }
 
 impl Stages {
     #[expect(clippy::needless_range_loop, reason = "a stage is a row of several arrays")]
-    fn runge_kutta(&self, equation: &Equation, t: f64, [q, p]: State, h: f64) -> State {
+    fn runge_kutta(
+        &self,
+        equations: &Equations,
+        t: Four,
+        [q, p]: States,
+        h: Four,
+        [v, f]: &mut [[Four; MOST_STAGES]; 2],
+    ) -> States {
         let size = self.c.len();
         let a_theta = self.a_theta.as_ref().unwrap_or(&self.a);
-        let (mut v, mut f) = ([0.0; MOST_STAGES], [0.0; MOST_STAGES]);
+        let mut solved = [true; 4];
         if self.explicit {
             for i in 0..size {
-                let stage = q + h * dot(&a_theta[i], &v);
-                v[i] = p + h * dot(&self.a[i], &f);
-                f[i] = equation.acceleration(t + self.times[i] * h, stage, v[i]);
+                let stage = q + h * dot(&a_theta[i], &v[..]);
+                v[i] = p + h * dot(&self.a[i], &f[..]);
+                f[i] = equations.acceleration(t + h * self.times[i], stage, v[i]);
             }
         } else {
-            let first = equation.acceleration(t, q, p);
-            f[..size].fill(first);
-            let scale = equation.k.abs() * (q.abs() + h.abs() * p.abs());
-            let solved = settle(&mut f, size, scale, |f, new| {
+            f[..size].fill(equations.acceleration(t, q, p));
+            solved = settle(&mut f[..size], scale(equations, [q, p], h), |f, new| {
                 for i in 0..size {
                     v[i] = p + h * dot(&self.a[i], f);
                 }
                 for i in 0..size {
-                    let stage = q + h * dot(&a_theta[i], &v);
-                    new[i] = equation.acceleration(t + self.times[i] * h, stage, v[i]);
+                    let stage = q + h * dot(&a_theta[i], &v[..]);
+                    new[i] = equations.acceleration(t + h * self.times[i], stage, v[i]);
                 }
             });
-            if !solved {
-                return [f64::NAN; 2];
-            }
             for i in 0..size {
-                v[i] = p + h * dot(&self.a[i], &f);
+                v[i] = p + h * dot(&self.a[i], &f[..]);
             }
         }
-        [q + h * dot(&self.b_theta, &v), p + h * dot(&self.b, &f)]
+        let (v, f) = (&v[..], &f[..]);
+        only(solved, [q + h * dot(&self.b_theta, v), p + h * dot(&self.b, f)])
     }
 
     /// Of a force with a drag each stage takes the velocity at the start of the step: Nyström's
     /// methods say nothing of it.
-    fn nystrom(&self, equation: &Equation, t: f64, [q, p]: State, h: f64) -> State {
+    fn nystrom(
+        &self,
+        equations: &Equations,
+        t: Four,
+        [q, p]: States,
+        h: Four,
+        f: &mut [Four; MOST_STAGES],
+    ) -> States {
         let size = self.c.len();
-        let mut f = [0.0; MOST_STAGES];
-        let stage = |i: usize, f: &[f64]| {
-            let angle = q + self.c[i] * h * p + h * h * dot(&self.a[i], f);
-            equation.acceleration(t + self.times[i] * h, angle, p)
+        let mut solved = [true; 4];
+        let stage = |i: usize, f: &[Four]| {
+            let angle = q + h * self.c[i] * p + h * h * dot(&self.a[i], f);
+            equations.acceleration(t + h * self.times[i], angle, p)
         };
         if self.explicit {
             for i in 0..size {
-                f[i] = stage(i, &f);
+                f[i] = stage(i, f);
             }
         } else {
-            f[..size].fill(equation.acceleration(t, q, p));
-            let scale = equation.k.abs() * (q.abs() + h.abs() * p.abs());
-            if !settle(&mut f, size, scale, |f, new| {
+            f[..size].fill(equations.acceleration(t, q, p));
+            solved = settle(&mut f[..size], scale(equations, [q, p], h), |f, new| {
                 (0..size).for_each(|i| new[i] = stage(i, f));
-            }) {
-                return [f64::NAN; 2];
-            }
+            });
         }
-        [q + h * p + h * h * dot(&self.b_theta, &f), p + h * dot(&self.b, &f)]
+        let end = [q + h * p + h * h * dot(&self.b_theta, f), p + h * dot(&self.b, f)];
+        only(solved, end)
     }
 }
 
-/// Improves the slopes until they are settled; false if they do not.
-fn settle(
-    f: &mut [f64; MOST_STAGES],
-    size: usize,
-    scale: f64,
-    mut improve: impl FnMut(&[f64], &mut [f64; MOST_STAGES]),
-) -> bool {
-    let mut before = f64::INFINITY;
-    for sweep in 0..80 {
-        let mut new = [0.0; MOST_STAGES];
-        improve(&f[..], &mut new);
-        // Where the forces pass through zero, what they round is that of the angle.
-        let largest = new[..size].iter().fold(scale, |a: f64, b| a.max(b.abs()));
-        let change = (0..size).fold(0.0, |a: f64, i| a.max((new[i] - f[i]).abs()));
-        *f = new;
-        let small = change <= 4.0 * f64::EPSILON * largest;
-        if change == 0.0 || (small && change >= before) || (small && sweep > 20) {
-            return true;
-        }
-        if !change.is_finite() {
-            return false;
-        }
-        before = change;
+/// The states of those that are solved.
+fn only(solved: [bool; 4], mut z: States) -> States {
+    for (lane, _) in solved.iter().enumerate().filter(|(_, solved)| !**solved) {
+        z.iter_mut().for_each(|x| x.0[lane] = f64::NAN);
     }
-    false
+    z
+}
+
+/// The size of the forces, where they pass through zero.
+fn scale(equations: &Equations, [q, p]: States, h: Four) -> Four {
+    equations.k.map(f64::abs) * (q.map(f64::abs) + h.map(f64::abs) * p.map(f64::abs))
+}
+
+/// Improves the slopes of each until they are settled; false of those that do not.
+fn settle(
+    f: &mut [Four],
+    scale: Four,
+    mut improve: impl FnMut(&[Four], &mut [Four; MOST_STAGES]),
+) -> [bool; 4] {
+    let mut new = [Four::default(); MOST_STAGES];
+    let (mut before, mut open, mut solved) = ([f64::INFINITY; 4], [true; 4], [false; 4]);
+    for sweep in 0..80 {
+        improve(f, &mut new);
+        for lane in 0..4 {
+            if !open[lane] {
+                continue;
+            }
+            // Where the forces pass through zero, what they round is that of the angle.
+            let (mut largest, mut change): (f64, f64) = (scale.0[lane], 0.0);
+            for (f, new) in f.iter_mut().zip(&new) {
+                let (old, new) = (&mut f.0[lane], new.0[lane]);
+                largest = largest.max(new.abs());
+                change = change.max((new - *old).abs());
+                *old = new;
+            }
+            let small = change <= 4.0 * f64::EPSILON * largest;
+            solved[lane] =
+                change == 0.0 || (small && change >= before[lane]) || (small && sweep > 20);
+            open[lane] = !solved[lane] && change.is_finite();
+            before[lane] = change;
+        }
+        if open == [false; 4] {
+            break;
+        }
+    }
+    solved
 }
 
 fn splitting(
     moves: &[Move],
     old_force: bool,
-    equation: &Equation,
-    t: f64,
-    [mut q, mut p]: State,
-    h: f64,
-) -> State {
-    let mut kicked: Option<f64> = None;
+    equations: &Equations,
+    t: Four,
+    [mut q, mut p]: States,
+    h: Four,
+) -> States {
+    let mut kicked: Option<Four> = None;
     for step in moves {
         match *step {
-            Move::Drift(length) => q += length * h * p,
+            Move::Drift(length) => q = q + h * length * p,
             Move::Kick { length, at, gradient } => {
-                let mut force = equation.acceleration(t + at * h, q, p);
+                let mut force = equations.acceleration(t + h * at, q, p);
                 if let Some(old) = kicked.filter(|_| old_force) {
                     force = old;
                 }
                 kicked = Some(force);
                 if gradient != 0.0 {
                     // The derivative of the sine; of other forces by a difference.
-                    let slope = match equation.force {
-                        Force::Sine => libm::cos(q),
-                        Force::Linear => 1.0,
-                        other => (other.at(q + 1e-5) - other.at(q - 1e-5)) / 2e-5,
+                    let slope = match equations.force {
+                        Force::Sine => q.cosine(),
+                        Force::Linear => Four([1.0; 4]),
+                        other => (other.of(q + 1e-5) - other.of(q - 1e-5)) / 2e-5,
                     };
-                    force *= 1.0 - gradient * h * h * equation.k * slope;
+                    force = force * (Four([1.0; 4]) - h * h * gradient * equations.k * slope);
                 }
-                p += length * h * force;
+                p = p + h * length * force;
             }
         }
     }
@@ -356,23 +479,23 @@ fn splitting(
 
 fn formula(
     lines: &[(usize, Vec<Word>)],
-    equation: &Equation,
-    t: f64,
-    [q, p]: State,
-    h: f64,
-) -> State {
-    let mut names = [0.0; MOST_NAMES];
-    names[..4].copy_from_slice(&[q, p, h, equation.c]);
-    let mut stack = [0.0; 16];
+    equations: &Equations,
+    t: Four,
+    [q, p]: States,
+    h: Four,
+) -> States {
+    let mut names = [Four::default(); MOST_NAMES];
+    names[..4].copy_from_slice(&[q, p, h, equations.c]);
+    let mut stack = [Four::default(); 16];
+    let free = Equations { c: Four::default(), ..*equations };
     for (name, words) in lines {
         let mut top = 0;
         for word in words {
             match *word {
-                Word::Number(x) => (stack[top], top) = (x, top + 1),
+                Word::Number(x) => (stack[top], top) = (Four([x; 4]), top + 1),
                 Word::Name(i) => (stack[top], top) = (names[i], top + 1),
                 Word::Force => {
-                    let free = Equation { c: 0.0, ..*equation };
-                    stack[top - 1] = free.acceleration(t, stack[top - 1], 0.0);
+                    stack[top - 1] = free.acceleration(t, stack[top - 1], Four::default());
                 }
                 Word::Plus | Word::Minus | Word::Times | Word::Over => {
                     let (a, b) = (stack[top - 2], stack[top - 1]);

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use super::lanes::sine;
 use super::parse::{Column, Table};
 use super::report::{Digits, Read, Refusal, Unit, Used};
 
@@ -362,6 +363,6 @@ fn looks_like_degrees(run: &Run) -> bool {
     };
     let largest =
         run.theta.iter().copied().filter(|x| x.is_finite()).fold(0.0, |a, b| b.abs().max(a));
-    let [degrees, radians] = [|x: f64| libm::sin(x * PI / 180.0), libm::sin].map(misfit);
+    let [degrees, radians] = [|x: f64| sine(x * PI / 180.0), sine].map(misfit);
     largest > 3.3 && degrees < 0.1 * radians
 }

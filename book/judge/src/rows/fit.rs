@@ -14,7 +14,8 @@
 
 use std::sync::LazyLock;
 
-use super::candidates::{Candidate, Equation, State, named};
+use super::candidates::{Candidate, Equation, Equations, State, States, named};
+use super::lanes::Four;
 use super::report::Force;
 
 /// The rows that are compared: good ones, in their order.
@@ -194,77 +195,133 @@ pub struct Applied<'a> {
     pub stretch: f64,
 }
 
+/// Spans that lead from rows to rows, of four pairs or fewer.
+#[derive(Clone, Copy)]
+struct Way {
+    t: Four,
+    span: Four,
+    /// 0 of those that are no pairs.
+    lag: [u32; 4],
+}
+
+/// What each of four pairs or fewer has; the last has it more than once.
+fn of_each(pairs: &[Pair], f: impl Fn(&Pair) -> f64) -> Four {
+    Four(core::array::from_fn(|lane| f(&pairs[lane.min(pairs.len() - 1)])))
+}
+
 impl Applied<'_> {
     /// The state after a span, from a time.
     pub fn advance(&self, t: f64, z: State, span: f64, lag: u32) -> State {
-        let span = span * self.stretch;
+        let [t, span, q, p] = [t, span, z[0], z[1]].map(|x| Four([x; 4]));
+        let [q, p] = self.advance_four(&Way { t, span, lag: [lag, 0, 0, 0] }, [q, p]);
+        [q.0[0], p.0[0]]
+    }
+
+    fn advance_four(&self, way: &Way, z: States) -> States {
+        let span = way.span * self.stretch;
+        let equations = Equations::of([self.equation; 4]);
         match self.map {
-            Map::Exact => exact(&self.equation, t, z, span, self.data.exactly()),
-            Map::Steps(candidate, steps) => {
-                let steps = steps * lag;
-                candidate.run(&self.equation, t, z, span / f64::from(steps), steps)
+            Map::Exact => {
+                let most = way.lag.map(|lag| if lag > 0 { MOST_EXACT } else { 0.0 });
+                exact_four(&equations, way.t, z, span, self.data.exactly(), most)
             }
+            Map::Steps(candidate, steps) => {
+                let steps = way.lag.map(|lag| steps * lag);
+                let count = Four(steps.map(|steps| f64::from(steps.max(1))));
+                candidate.run_four(&equations, way.t, z, span / count, steps)
+            }
+        }
+    }
+
+    /// From the first row of each to its second, or from that to the third.
+    fn way(&self, pairs: &[Pair], second: bool) -> Way {
+        let lag = |lane: usize| pairs.get(lane).map_or(0, |pair| pair.lag);
+        Way {
+            t: of_each(pairs, |pair| self.data.time(pair.rows[usize::from(second)])),
+            span: of_each(pairs, |pair| self.data.span(pair, second)),
+            lag: core::array::from_fn(lag),
         }
     }
 
     /// The velocity with which a row's angle becomes the next's, by Newton's method.
-    pub fn velocity(&self, pair: &Pair, from: f64, to: f64) -> Option<f64> {
-        let span = self.data.span(pair, false);
-        let t = self.data.time(pair.rows[0]);
-        let mut omega = (to - from) / span;
-        let size = libm::fmax(from.abs(), to.abs());
+    pub fn velocity(&self, pair: &Pair) -> Option<f64> {
+        let [i, j, _] = pair.rows;
+        let [from, to] = [i, j].map(|i| Four([self.data.theta[i]; 4]));
+        let [omega, ..] = self.velocities(&[*pair], from, to).0;
+        omega.is_finite().then_some(omega)
+    }
+
+    /// The same of four pairs or fewer; NaN where there is none.
+    fn velocities(&self, pairs: &[Pair], from: Four, to: Four) -> Four {
+        let mut way = self.way(pairs, false);
+        let mut omega = (to - from) / way.span;
+        let size: [f64; 4] =
+            core::array::from_fn(|lane| libm::fmax(from.0[lane].abs(), to.0[lane].abs()));
         // Two angles on the way up and down again may be the same.
-        let scale = libm::fmax(omega.abs(), libm::fmax(size, 1e-3) / span.abs());
-        let mut slope = f64::NAN;
-        // A map's own rounding.
-        let steps = match self.map {
-            Map::Exact => 20,
-            Map::Steps(_, steps) => steps * pair.lag,
-        };
-        let rounding = 4.0 * f64::EPSILON * libm::sqrt(f64::from(steps));
+        let scale = Four(core::array::from_fn(|lane| {
+            let least = libm::fmax(size[lane], 1e-3) / way.span.0[lane].abs();
+            libm::fmax(omega.0[lane].abs(), least)
+        }));
+        let mut slope = Four::default();
         for round in 0..12 {
-            let end = self.advance(t, [from, omega], span, pair.lag)[0];
+            let [end, _] = self.advance_four(&way, [from, omega]);
             // The angle is nearly linear in the velocity: one slope serves some rounds.
             if round % 4 == 0 {
-                let d = 1e-6 * scale;
-                slope = (self.advance(t, [from, omega + d], span, pair.lag)[0] - end) / d;
+                let d = scale * 1e-6;
+                slope = (self.advance_four(&way, [from, omega + d])[0] - end) / d;
             }
             let change = (to - end) / slope;
-            if !change.is_finite() || change.abs() > 100.0 * scale {
-                return None;
+            for lane in 0..4 {
+                if way.lag[lane] == 0 {
+                    continue;
+                }
+                // A map's own rounding.
+                let steps = match self.map {
+                    Map::Exact => 20,
+                    Map::Steps(_, steps) => steps * way.lag[lane],
+                };
+                let rounding = 4.0 * f64::EPSILON * libm::sqrt(f64::from(steps));
+                let (change, slope) = (change.0[lane], slope.0[lane]);
+                if !change.is_finite() || change.abs() > 100.0 * scale.0[lane] {
+                    omega.0[lane] = f64::NAN;
+                    way.lag[lane] = 0;
+                    continue;
+                }
+                omega.0[lane] += change;
+                if change.abs() <= rounding * (size[lane] / slope.abs() + omega.0[lane].abs()) {
+                    way.lag[lane] = 0;
+                }
             }
-            omega += change;
-            if change.abs() <= rounding * (size / slope.abs() + omega.abs()) {
+            if way.lag == [0; 4] {
                 break;
             }
         }
-        Some(omega)
+        omega
     }
 
-    /// What the pair's last row would be, if its first were shifted; of a method of several steps
-    /// one of the rows before.
-    fn predict(&self, pair: &Pair, which: usize, shift: [f64; 2]) -> State {
-        let Self { data, .. } = *self;
-        let [i, j, _] = pair.rows;
-        let t = data.time(i);
+    /// What the last rows of four pairs or fewer would be, if their first were shifted; of a method
+    /// of several steps one of the rows before.
+    fn predict(&self, pairs: &[Pair], which: usize, shift: States) -> States {
+        let data = self.data;
+        let older = self.map.older();
+        let theta = |n: usize| of_each(pairs, |pair| data.theta[pair.rows[n]]);
         if data.has_velocities() {
-            let z = [data.theta[i] + shift[0], data.omega[i] + shift[1]];
-            let span = data.span(pair, false);
-            if let Map::Steps(candidate, steps) = self.map {
-                let older = candidate.older();
-                if older > 0 {
-                    return self.of_older(candidate, steps, older, pair, (which, shift));
-                }
+            if let Map::Steps(candidate, steps) = self.map
+                && older > 0
+            {
+                return self.of_older(candidate, steps, older, pairs, (which, shift));
             }
-            return self.advance(t, z, span, pair.lag);
+            let omega = of_each(pairs, |pair| data.omega[pair.rows[0]]);
+            return self
+                .advance_four(&self.way(pairs, false), [theta(0) + shift[0], omega + shift[1]]);
         }
-        if matches!(self.map, Map::Steps(candidate, _) if candidate.older() > 0) {
-            return [f64::NAN; 2];
+        if older > 0 {
+            return [Four([f64::NAN; 4]); 2];
         }
-        let (from, to) = (data.theta[i] + shift[0], data.theta[j] + shift[1]);
-        let Some(omega) = self.velocity(pair, from, to) else { return [f64::NAN; 2] };
-        let middle = self.advance(t, [from, omega], data.span(pair, false), pair.lag);
-        self.advance(data.time(j), [to, middle[1]], data.span(pair, true), pair.lag)
+        let (from, to) = (theta(0) + shift[0], theta(1) + shift[1]);
+        let omega = self.velocities(pairs, from, to);
+        let [_, middle] = self.advance_four(&self.way(pairs, false), [from, omega]);
+        self.advance_four(&self.way(pairs, true), [to, middle])
     }
 
     /// The older states are the rows before, where steps are rows.
@@ -273,124 +330,184 @@ impl Applied<'_> {
         candidate: &Candidate,
         steps: u32,
         older: usize,
-        pair: &Pair,
-        (which, shift): (usize, [f64; 2]),
-    ) -> State {
+        pairs: &[Pair],
+        (which, shift): (usize, States),
+    ) -> States {
         let data = self.data;
-        let i = pair.rows[0];
-        let follow = i >= older && data.at[i] - data.at[i - older] == older as i64;
-        if steps != 1 || !follow {
-            return [f64::NAN; 2];
-        }
-        let mut past = [[0.0; 2]; MOST_OLDER + 1];
+        let follow = |pair: &Pair| {
+            let i = pair.rows[0];
+            steps == 1 && i >= older && data.at[i] - data.at[i - older] == older as i64
+        };
+        let mut past = [[Four::default(); 2]; MOST_OLDER + 1];
         for (n, z) in past[..=older].iter_mut().enumerate() {
-            *z = [data.theta[i - n], data.omega[i - n]];
+            *z = [&data.theta, &data.omega].map(|xs| {
+                of_each(pairs, |pair| if follow(pair) { xs[pair.rows[0] - n] } else { f64::NAN })
+            });
         }
         past[which] = [past[which][0] + shift[0], past[which][1] + shift[1]];
-        let h = data.spacing * self.stretch;
-        for n in 0..pair.lag {
-            let t = data.time(i) + h * f64::from(n);
-            let next = candidate.step_from(&self.equation, t, &past[..=older], h);
+        let h = Four([data.spacing * self.stretch; 4]);
+        let equations = Equations::of([self.equation; 4]);
+        let way = self.way(pairs, false);
+        let mut end = past[0];
+        for n in 0..way.lag.into_iter().max().unwrap_or(0) {
+            let t = way.t + h * f64::from(n);
+            let next = candidate.step_four_from(&equations, t, &past[..=older], h);
             past.copy_within(0..older, 1);
             past[0] = next;
+            for lane in (0..4).filter(|&lane| n < way.lag[lane]) {
+                (0..2).for_each(|i| end[i].0[lane] = next[i].0[lane]);
+            }
         }
-        past[0]
+        end
     }
 
     /// By how much the last row of a pair differs from what it would be.
     pub fn residual(&self, pair: &Pair) -> [f64; 2] {
-        let predicted = self.predict(pair, 0, [0.0; 2]);
-        let last = pair.rows[2];
-        let omega = self.data.omega.get(last).map_or(0.0, |omega| omega - predicted[1]);
-        [self.data.theta[last] - predicted[0], omega]
+        let pairs = [*pair];
+        let [theta, omega] = self.left(&pairs, self.predict(&pairs, 0, NOT_SHIFTED));
+        [theta.0[0], omega.0[0]]
     }
 
-    /// The bound of that, as it is derived above.
-    pub fn bound(&self, pair: &Pair) -> [f64; 2] {
+    fn left(&self, pairs: &[Pair], predicted: States) -> States {
         let data = self.data;
-        let [i, j, k] = pair.rows;
-        let here = self.predict(pair, 0, [0.0; 2]);
-        let halves = if data.has_velocities() {
-            [data.half_theta[i], data.half_omega[i]]
+        let theta = of_each(pairs, |pair| data.theta[pair.rows[2]]) - predicted[0];
+        if !data.has_velocities() {
+            return [theta, Four::default()];
+        }
+        [theta, of_each(pairs, |pair| data.omega[pair.rows[2]]) - predicted[1]]
+    }
+
+    /// The bounds of that, as they are derived above, about what is predicted.
+    fn bound(&self, pairs: &[Pair], here: States) -> States {
+        let data = self.data;
+        let halves: [Four; 2] = if data.has_velocities() {
+            [&data.half_theta, &data.half_omega].map(|xs| of_each(pairs, |pair| xs[pair.rows[0]]))
         } else {
-            [data.half_theta[i], data.half_theta[j]]
+            [0, 1].map(|n| of_each(pairs, |pair| data.half_theta[pair.rows[n]]))
         };
-        let span = data.span(pair, false).abs();
-        let velocity = if data.has_velocities() {
-            libm::fmax(data.omega[i].abs(), data.omega[k].abs())
-        } else {
-            ((data.theta[j] - data.theta[i]) / span).abs()
+        let span = |pair: &Pair| data.span(pair, false).abs();
+        let velocity = |pair: &Pair| {
+            let [i, j, k] = pair.rows;
+            if data.has_velocities() {
+                libm::fmax(data.omega[i].abs(), data.omega[k].abs())
+            } else {
+                ((data.theta[j] - data.theta[i]) / span(pair)).abs()
+            }
         };
-        let size = libm::fmax(data.theta[i].abs(), data.theta[k].abs());
-        let sizes = [libm::fmax(size, span * velocity), libm::fmax(velocity, 1e-3 * size / span)];
-        let older = self.map.older();
-        let mut bound = [data.half_theta[k], data.half_omega.get(k).copied().unwrap_or(0.0)];
-        let entries = (0..=older).flat_map(|which| [(which, 0), (which, 1)]);
-        for ((which, entry), half) in entries.zip(halves.into_iter().cycle()) {
-            if half == 0.0 {
+        let size = |pair: &Pair| {
+            let [i, _, k] = pair.rows;
+            libm::fmax(data.theta[i].abs(), data.theta[k].abs())
+        };
+        let of_angle = |pair: &Pair| libm::fmax(size(pair), span(pair) * velocity(pair));
+        let of_velocity = |pair: &Pair| libm::fmax(velocity(pair), 1e-3 * size(pair) / span(pair));
+        let mut sizes = [of_each(pairs, of_angle); 2];
+        if data.has_velocities() {
+            sizes[1] = of_each(pairs, of_velocity);
+        }
+        let own = |xs: &[f64]| of_each(pairs, |pair| xs.get(pair.rows[2]).copied().unwrap_or(0.0));
+        let mut bound = [own(&data.half_theta), own(&data.half_omega)];
+        for (which, entry) in (0..=self.map.older()).flat_map(|which| [(which, 0), (which, 1)]) {
+            let halves: [f64; 4] = halves[entry].0;
+            if halves == [0.0; 4] {
                 continue;
             }
             // Over the way that rounding may go, if doubles show it.
-            let size = if data.has_velocities() { sizes[entry] } else { sizes[0] };
-            let way = libm::fmax(half, 3e-8 * size);
-            let mut shift = [0.0; 2];
+            let way = Four(core::array::from_fn(|lane| {
+                libm::fmax(halves[lane], 3e-8 * sizes[entry].0[lane])
+            }));
+            let mut shift = NOT_SHIFTED;
             shift[entry] = way;
-            let above = self.predict(pair, which, shift);
-            shift[entry] = -way;
-            let below = self.predict(pair, which, shift);
+            let above = self.predict(pairs, which, shift);
+            shift[entry] = way * -1.0;
+            let below = self.predict(pairs, which, shift);
             for at in 0..2 {
-                let slope = libm::fmax((above[at] - here[at]).abs(), (here[at] - below[at]).abs());
-                bound[at] += slope * half / way;
+                for lane in (0..4).filter(|&lane| halves[lane] != 0.0) {
+                    let [above, here, below] = [above, here, below].map(|z| z[at].0[lane]);
+                    let slope = libm::fmax((above - here).abs(), (here - below).abs());
+                    bound[at].0[lane] += slope * halves[lane] / way.0[lane];
+                }
             }
         }
-        let (steps, weight) = match self.map {
-            Map::Exact => (20.0, 8.0),
-            Map::Steps(candidate, steps) => {
-                // Of coefficients that cancel more is lost: no more is allowed for.
-                (f64::from(steps * pair.lag), libm::fmin(candidate.weight, 20.0) + 4.0)
-            }
-        };
-        let time = f64::from(pair.lag) * data.spacing;
         let epsilon = if data.single { f64::from(f32::EPSILON) } else { f64::EPSILON };
-        let of_one = epsilon * steps * weight;
         let k = self.equation.rate() * self.equation.rate();
-        let acceleration = k * libm::fmin(1.0, size);
-        let theta = of_one * (size + time * velocity / steps);
-        let omega = of_one * (velocity + time * acceleration / steps);
-        bound[0] += theta + time * omega + 2.0 * data.half_t * velocity;
-        bound[1] += omega + time * k * theta + 2.0 * data.half_t * acceleration;
-        if !data.has_velocities() {
-            // The velocity that is found carries the rounding of both angles.
-            bound[0] += 4.0 * theta;
+        for (lane, pair) in pairs.iter().enumerate() {
+            let (steps, weight) = match self.map {
+                Map::Exact => (20.0, 8.0),
+                Map::Steps(candidate, steps) => {
+                    // Of coefficients that cancel more is lost: no more is allowed for.
+                    (f64::from(steps * pair.lag), libm::fmin(candidate.weight, 20.0) + 4.0)
+                }
+            };
+            let (size, velocity) = (size(pair), velocity(pair));
+            let time = f64::from(pair.lag) * data.spacing;
+            let of_one = epsilon * steps * weight;
+            let acceleration = k * libm::fmin(1.0, size);
+            let theta = of_one * (size + time * velocity / steps);
+            let omega = of_one * (velocity + time * acceleration / steps);
+            bound[0].0[lane] += theta + time * omega + 2.0 * data.half_t * velocity;
+            bound[1].0[lane] += omega + time * k * theta + 2.0 * data.half_t * acceleration;
+            if !data.has_velocities() {
+                // The velocity that is found carries the rounding of both angles.
+                bound[0].0[lane] += 4.0 * theta;
+            }
         }
         bound
     }
+
+    /// The numbers of all pairs, one entry after the other, by four pairs at a time.
+    fn entries(&self, pairs: &[Pair], of: impl Fn(&[Pair]) -> States) -> Vec<f64> {
+        let entries = self.data.entries();
+        let mut all = Vec::with_capacity(entries * pairs.len());
+        for pairs in pairs.chunks(4) {
+            let z = of(pairs);
+            all.extend((0..entries * pairs.len()).map(|n| z[n % entries].0[n / entries]));
+        }
+        all
+    }
 }
+
+const NOT_SHIFTED: States = [Four([0.0; 4]); 2];
 
 static FINE: LazyLock<&'static Candidate> =
     LazyLock::new(|| named("dormand-prince-8").expect("a method of the tables"));
 
-/// The exact motion over a span that leads from row to row.
-pub fn exact(equation: &Equation, t: f64, z: State, span: f64, length: f64) -> State {
-    // More is a fit that is lost, at a force that no rows have.
-    exact_within(equation, t, z, span, length, 300.0)
+/// More steps of the exact motion from row to row are a fit that is lost, at a force that no rows
+/// have.
+pub const MOST_EXACT: f64 = 300.0;
+
+/// The exact motion of one: steps of order 8 of so many radians, but no more than so many.
+pub fn exact(equation: &Equation, t: f64, z: State, span: f64, length: f64, most: f64) -> State {
+    let equations = Equations::of([*equation; 4]);
+    let [t, span, q, p] = [t, span, z[0], z[1]].map(|x| Four([x; 4]));
+    let [q, p] = exact_four(&equations, t, [q, p], span, length, [most, 0.0, 0.0, 0.0]);
+    [q.0[0], p.0[0]]
 }
 
-/// The exact motion: steps of order 8 of so many radians, but no more than so many.
-pub fn exact_within(
-    equation: &Equation,
-    t: f64,
-    z: State,
-    span: f64,
+/// The exact motion of each.
+pub fn exact_four(
+    equations: &Equations,
+    t: Four,
+    z: States,
+    span: Four,
     length: f64,
-    most: f64,
-) -> State {
-    let speed = libm::fmax(equation.rate(), 0.3 * z[1].abs());
-    let steps = libm::fmax(libm::ceil(span.abs() * speed / length), 1.0);
-    if steps.is_nan() || steps > most {
-        return [f64::NAN; 2];
+    most: [f64; 4],
+) -> States {
+    let mut steps = [0; 4];
+    let mut h = span;
+    for lane in 0..4 {
+        let speed = libm::fmax(equations.one(lane).rate(), 0.3 * z[1].0[lane].abs());
+        let count = libm::fmax(libm::ceil(span.0[lane].abs() * speed / length), 1.0);
+        // NaN is no number of steps.
+        if count <= most[lane] {
+            steps[lane] = count as u32;
+            h.0[lane] /= count;
+        }
     }
-    FINE.run(equation, t, z, span / steps, steps as u32)
+    let mut end = FINE.run_four(equations, t, z, h, steps);
+    for lane in (0..4).filter(|&lane| steps[lane] == 0) {
+        end.iter_mut().for_each(|x| x.0[lane] = f64::NAN);
+    }
+    end
 }
 
 /// Residuals, bounds and derivatives at some numbers.
@@ -426,8 +543,21 @@ impl<'a> Applied<'a> {
 
     /// Bounds of all pairs, one entry after the other.
     pub fn bounds(&self, pairs: &[Pair]) -> Vec<f64> {
-        let entries = self.data.entries();
-        pairs.iter().flat_map(|pair| self.bound(pair).into_iter().take(entries)).collect()
+        self.entries(pairs, |pairs| self.bound(pairs, self.predict(pairs, 0, NOT_SHIFTED)))
+    }
+
+    /// Residuals of all pairs.
+    pub fn residuals(&self, pairs: &[Pair]) -> Vec<f64> {
+        self.entries(pairs, |pairs| self.left(pairs, self.predict(pairs, 0, NOT_SHIFTED)))
+    }
+
+    /// Residuals of all pairs in units of their own bounds.
+    pub fn in_bounds(&self, pairs: &[Pair]) -> Vec<f64> {
+        self.entries(pairs, |pairs| {
+            let here = self.predict(pairs, 0, NOT_SHIFTED);
+            let (left, bound) = (self.left(pairs, here), self.bound(pairs, here));
+            [left[0] / bound[0], left[1] / bound[1]]
+        })
     }
 
     /// How far the states of all pairs move, in units of these bounds.
@@ -446,9 +576,8 @@ impl<'a> Applied<'a> {
 
     /// Residuals of all pairs in units of these bounds.
     pub fn off(&self, pairs: &[Pair], bounds: &[f64]) -> Vec<f64> {
-        let entries = self.data.entries();
-        let all = pairs.iter().flat_map(|pair| self.residual(pair).into_iter().take(entries));
-        all.zip(bounds).map(|(residual, bound)| residual / bound).collect()
+        let all = self.residuals(pairs);
+        all.iter().zip(bounds).map(|(residual, bound)| residual / bound).collect()
     }
 
     /// All of it, linearised.

@@ -27,6 +27,7 @@ mod columns;
 mod faults;
 mod fit;
 mod json;
+mod lanes;
 mod noise;
 mod packed;
 mod parse;
@@ -277,15 +278,11 @@ fn unlike(written: &Data, maker: &Fit) -> Option<(Vec<usize>, Vec<Fault>)> {
     let older = maker.older();
     let pairs: Vec<_> =
         (older..written.row.len()).filter_map(|i| written.pair(i, 1)).take(200_000).collect();
-    let is_off = |pair: &fit::Pair| {
-        let (residual, bound) = (here.residual(pair), here.bound(pair));
-        (0..written.entries()).any(|n| {
-            let off = (residual[n] / bound[n]).abs();
-            off.is_nan() || off > search::APART
-        })
-    };
+    let off = here.in_bounds(&pairs);
+    let is_off = |off: &[f64]| off.iter().any(|x| x.is_nan() || x.abs() > search::APART);
+    let all = pairs.iter().zip(off.chunks(written.entries()));
     let bad: Vec<usize> =
-        pairs.iter().filter(|pair| is_off(pair)).map(|pair| pair.rows[0]).collect();
+        all.filter(|(_, off)| is_off(off)).map(|(pair, _)| pair.rows[0]).collect();
     if bad.is_empty() || bad.len() * 5 > pairs.len() {
         return None;
     }
@@ -344,12 +341,8 @@ fn contradicts(written: &Data, maker: &Fit, fault: &Fault, told: &[Fault]) -> bo
     let own = applied(written, maker);
     let fitted = fit::fit(own, &all, &numbers, false);
     let here = fitted.as_ref().map_or(own, |fit| applied(written, fit));
-    let off = |here: &fit::Applied<'_>, pair: &fit::Pair| {
-        let (residual, bound) = (here.residual(pair), here.bound(pair));
-        let off = (0..written.entries()).map(|n| (residual[n] / bound[n]).abs());
-        off.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
-    };
-    let most = about.iter().map(|pair| off(&here, pair)).fold(0.0, f64::max);
+    let off = |here: &fit::Applied<'_>, pairs: &[fit::Pair]| fit::worst(&here.in_bounds(pairs));
+    let most = off(&here, &about);
     if most <= search::APART || !matches!(fault, Fault::Edited { .. }) {
         return most > search::APART;
     }
@@ -362,14 +355,18 @@ fn contradicts(written: &Data, maker: &Fit, fault: &Fault, told: &[Fault]) -> bo
     let (Some(before), Some(after)) = (before, after) else {
         // At an end nothing is: there the row must be far off where those beside it are as sharp
         // and are not, which a method's error is not from one row to the next.
-        let mut bounds: Vec<f64> = all.iter().map(|pair| own.bound(pair)[0]).collect();
+        let of_angles = |pairs: &[fit::Pair]| -> Vec<f64> {
+            own.bounds(pairs).into_iter().step_by(written.entries()).collect()
+        };
+        let mut bounds = of_angles(&all);
         bounds.sort_by(f64::total_cmp);
-        let sharp = |pair: &fit::Pair| own.bound(pair)[0] < 0.5 * bounds[bounds.len() / 2];
-        return most > 10.0 * search::APART && !about.iter().any(sharp);
+        let middle = bounds[bounds.len() / 2];
+        let any_sharp = of_angles(&about).iter().any(|&bound| bound < 0.5 * middle);
+        return most > 10.0 * search::APART && !any_sharp;
     };
     let lag = (written.at[after] - written.at[before]) as u32;
     let bridge = written.pair(before, lag);
-    bridge.is_some_and(|pair| !edited(pair.rows[2]) && off(&own, &pair) <= BRIDGED)
+    bridge.is_some_and(|pair| !edited(pair.rows[2]) && off(&own, &[pair]) <= BRIDGED)
 }
 
 fn data(run: &Run, places: &Places) -> Data {
@@ -408,10 +405,12 @@ fn outliers(data: &Data, motion: &Motion, sticks: f64) -> (Data, Vec<Fault>) {
     }
     // Of so many rows each is looked at.
     let pairs: Vec<_> = (0..rows).filter_map(|i| data.pair(i, 1)).take(200_000).collect();
-    let residuals: Vec<[f64; 2]> = pairs.iter().map(|pair| here.residual(pair)).collect();
-    let bounds: Vec<[f64; 2]> = pairs.iter().map(|pair| here.bound(pair)).collect();
+    let (residuals, bounds) = (here.residuals(&pairs), here.bounds(&pairs));
+    let entries = data.entries();
+    let [residuals, bounds]: [Vec<&[f64]>; 2] =
+        [&residuals, &bounds].map(|numbers| numbers.chunks(entries).collect());
     let strange = |n: usize, times: f64| {
-        (0..data.entries()).any(|entry| {
+        (0..entries).any(|entry| {
             let near = (n.saturating_sub(5)..(n + 6).min(pairs.len())).filter(|&m| m != n);
             let mut around: Vec<f64> = near.map(|m| residuals[m][entry]).collect();
             around.sort_by(f64::total_cmp);
@@ -484,7 +483,7 @@ fn outliers(data: &Data, motion: &Motion, sticks: f64) -> (Data, Vec<Fault>) {
 
 /// Whether the row after those that are off follows from row i, the one before them: then they were
 /// edited, and are not where a method's error is large.
-fn bridged(data: &Data, motion: &Motion, residuals: &[[f64; 2]], i: usize) -> bool {
+fn bridged(data: &Data, motion: &Motion, residuals: &[&[f64]], i: usize) -> bool {
     let here = applied(data, &motion.fit);
     let Some(pair) = data.pair(i, residuals.len() as u32) else { return false };
     let over = here.residual(&pair);
@@ -600,12 +599,9 @@ fn in_all(data: &Data, fit: &Fit, most: usize) -> Option<Fit> {
     let numbers = search::active(data, damped, best.equation.drive[2] != 0.0);
     for _ in 0..5 {
         let here = applied(data, &best);
-        let off = |pair: &fit::Pair| {
-            let (residual, bound) = (here.residual(pair), here.bound(pair));
-            let off = (0..data.entries()).map(|n| (residual[n] / bound[n]).abs());
-            off.fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
-        };
-        let mut worst: Vec<(f64, fit::Pair)> = all.iter().map(|pair| (off(pair), *pair)).collect();
+        let off = here.in_bounds(&all);
+        let off = off.chunks(data.entries()).map(fit::worst);
+        let mut worst: Vec<(f64, fit::Pair)> = off.zip(all.iter().copied()).collect();
         worst.sort_by(|a, b| b.0.total_cmp(&a.0));
         best.worst = worst.first()?.0;
         if least.is_none_or(|least| best.worst < least.worst) {
@@ -632,12 +628,7 @@ fn name(fit: &Fit) -> &'static str {
 /// The method, if it is one, or those that are left.
 fn decide(report: &mut RunReport, data: &Data, found: &Found) -> Fit {
     let mut agree = found.agree.clone();
-    // Methods before mistakes, sine before others, then what has the fewest steps.
-    let rank = |fit: &Fit| match fit.map {
-        Map::Steps(candidate, steps) => (!candidate.right, fit.equation.force as usize, steps),
-        Map::Exact => (true, 0, 0),
-    };
-    agree.sort_by_key(rank);
+    agree.sort_by_key(search::rank);
     let best = agree[0];
     let mut same = Vec::new();
     let mut others = Vec::new();
@@ -733,7 +724,7 @@ fn made(data: &Data, fit: &Fit, same: Vec<(&'static str, f64)>) -> Made {
 fn start(data: &Data, best: &Fit) -> [f64; 2] {
     let velocity = || {
         let pair = data.pair(0, 1)?;
-        applied(data, best).velocity(&pair, data.theta[0], data.theta[pair.rows[1]])
+        applied(data, best).velocity(&pair)
     };
     let omega = data.omega.first().copied().or_else(velocity);
     [data.theta[0], omega.unwrap_or(0.0)]
@@ -752,10 +743,7 @@ fn drawn(data: &Data, best: &Fit) -> Drawn {
         let pair = i.checked_sub(if data.has_velocities() { 1 } else { 2 });
         let pair = pair.and_then(|i| data.pair(i, 1)).filter(|pair| pair.rows[2] == i);
         let pair = pair.filter(|pair| pair.rows[0] >= best.older());
-        let off = pair.map_or(f64::NAN, |pair| {
-            let (residual, bound) = (here.residual(&pair), here.bound(&pair));
-            residual[0] / bound[0]
-        });
+        let off = pair.map_or(f64::NAN, |pair| here.in_bounds(&[pair])[0]);
         drawn.t.push(t);
         drawn.theta.push(data.theta[i]);
         drawn.exact.push(z[0]);
@@ -774,7 +762,7 @@ fn at_the_end(data: &Data, best: &Fit) -> AtTheEnd {
     let angle = data.theta[last] - end[0];
     let plain = equation.c == 0.0 && equation.drive[2] == 0.0;
     let depth = |theta: f64| match equation.force {
-        Force::Sine => Some(2.0 * libm::pow(libm::sin(0.5 * theta), 2.0)),
+        Force::Sine => Some(2.0 * libm::pow(lanes::sine(0.5 * theta), 2.0)),
         Force::Linear => Some(0.5 * theta * theta),
         _ => None,
     };

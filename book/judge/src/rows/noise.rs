@@ -1,6 +1,7 @@
 //! Measured rows: noise in the angles about an exact motion.
 
-use super::fit::{Data, Fit, Map, NUMBERS, Pair, exact, mean, solve};
+use super::fit::{Data, Fit, MOST_EXACT, Map, NUMBERS, Pair, exact, mean, solve};
+use super::lanes::{cosine, sine};
 use super::search::{Motion, applied, unexplained};
 
 /// The noise of measured angles (rad), and the equation of the motion about which they are.
@@ -36,7 +37,7 @@ fn over_all(data: &Data, motion: &Motion) -> Option<Fit> {
         let mut off = vec![z[0] - data.theta[0]];
         for i in 1..rows {
             let span = data.t[i] - data.t[i - 1];
-            z = exact(&equation, data.t[i - 1], z, span, 0.5);
+            z = exact(&equation, data.t[i - 1], z, span, 0.5, MOST_EXACT);
             off.push(z[0] - data.theta[i]);
         }
         off
@@ -115,7 +116,7 @@ fn of_pairs(data: &Data, motion: &Motion) -> Option<f64> {
     if pairs.len() < LEAST_PAIRS || !data.even || !rows_are_near {
         return None;
     }
-    let left: Vec<f64> = pairs.iter().map(|pair| here.residual(pair)[0]).collect();
+    let left: Vec<f64> = here.residuals(pairs).into_iter().step_by(data.entries()).collect();
     if left.iter().any(|x| !x.is_finite()) {
         return None;
     }
@@ -136,14 +137,14 @@ fn of_pairs(data: &Data, motion: &Motion) -> Option<f64> {
         |_, v, _| v,
         |_, v, _| v * v,
         |_, v, _| v * v * v,
-        |q, _, _| libm::sin(q),
-        |q, _, _| libm::cos(q),
-        |q, _, _| libm::sin(2.0 * q),
-        |q, _, _| libm::cos(2.0 * q),
-        |q, v, _| v * libm::sin(q),
-        |q, v, _| v * libm::cos(q),
-        |q, v, _| v * v * libm::sin(q),
-        |q, v, _| v * v * libm::cos(q),
+        |q, _, _| sine(q),
+        |q, _, _| cosine(q),
+        |q, _, _| sine(2.0 * q),
+        |q, _, _| cosine(2.0 * q),
+        |q, v, _| v * sine(q),
+        |q, v, _| v * cosine(q),
+        |q, v, _| v * v * sine(q),
+        |q, v, _| v * v * cosine(q),
         |_, _, x| x,
         |_, _, x| x * x * x,
     ];

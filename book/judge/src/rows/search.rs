@@ -2,8 +2,9 @@
 
 use super::candidates::{Candidate, Equation, all, work};
 use super::fit::{
-    Active, Applied, Data, Fit, Map, Pair, exact_within, first_guess, fit, mean, refine, worst,
+    Active, Applied, Data, Fit, Map, Pair, exact, first_guess, fit, mean, refine, worst,
 };
+use super::lanes::{cosine, sine};
 use super::report::Force;
 
 /// A candidate that is off by more than this many bounds is another one.
@@ -28,6 +29,8 @@ const FAR: f64 = 0.3;
 pub const MOST_WORK: u64 = 40_000_000;
 /// As many are too many for a list.
 const MANY: usize = 40;
+/// Two maps are the same that differ by no more bounds, in doubles.
+const LIKE: f64 = 2.0;
 /// What most programs have.
 const USUAL: [&str; 8] = [
     "rk4",
@@ -149,11 +152,10 @@ fn from_a_scan(data: &Data, force: Force, numbers: &Active) -> Option<Fit> {
             let k = 0.05 * libm::pow(1.03, f64::from(n)) / square;
             let equation = Equation { force, k, c: 0.0, drive: [0.0; 3] };
             let here = Applied { data, map: Map::Exact, equation, stretch: 1.0 };
-            let off = pairs.iter().flat_map(|pair| {
-                let [a, b] = here.residual(pair);
-                [a, b / libm::sqrt(k)]
-            });
-            (mean(&off.collect::<Vec<_>>()), k)
+            let mut off = here.residuals(&pairs);
+            // Of the velocities.
+            off.iter_mut().skip(1).step_by(2).for_each(|x| *x /= libm::sqrt(k));
+            (mean(&off), k)
         })
         .filter(|(off, _)| off.is_finite())
         .collect();
@@ -170,10 +172,9 @@ fn from_a_scan(data: &Data, force: Force, numbers: &Active) -> Option<Fit> {
 fn fraction(data: &Data, fit: &Fit, pairs: &[Pair]) -> f64 {
     let here = applied(data, fit);
     let (mut off, mut moved) = (0.0, 0.0);
-    for pair in pairs {
+    for (pair, residual) in pairs.iter().zip(here.residuals(pairs).chunks(data.entries())) {
         let [i, j, k] = pair.rows;
-        let residual = here.residual(pair);
-        if !(residual[0].is_finite() && residual[1].is_finite()) {
+        if !residual.iter().all(|x| x.is_finite()) {
             return f64::INFINITY;
         }
         if data.has_velocities() {
@@ -547,11 +548,10 @@ pub fn search(data: &Data, motion: &Motion, found: &mut Found) {
     }
     for list in [&mut found.agree, &mut found.near] {
         list.sort_by(|a, b| a.worst.total_cmp(&b.worst));
-        let mut seen: Vec<(&str, u32, Force)> = Vec::new();
+        let mut seen = Vec::new();
         list.retain(|fit| {
-            let Map::Steps(candidate, steps) = fit.map else { return true };
-            let key = (candidate.name, steps, fit.equation.force);
-            let new = !seen.contains(&key);
+            let key = name_and_steps(fit);
+            let new = key.is_none() || !seen.contains(&key);
             seen.push(key);
             new
         });
@@ -571,38 +571,69 @@ impl Found {
     }
 }
 
+/// Methods before mistakes, sine before others, then what has the fewest steps.
+pub fn rank(fit: &Fit) -> (bool, usize, u32) {
+    match fit.map {
+        Map::Steps(candidate, steps) => (!candidate.right, fit.equation.force as usize, steps),
+        Map::Exact => (true, 0, 0),
+    }
+}
+
 /// Compares what is left over more rows, in which the methods' errors add up and the digits' do not
 /// as fast, until one is left or no more rows can be had.
+///
+/// Maps that are the same on these rows are so over more of them: one of them stands for all.
 pub fn sharpen(data: &Data, found: &mut Found) {
+    let Some(first) = found.agree.iter().min_by_key(|fit| rank(fit)).copied() else { return };
+    let is_first = |fit: &Fit| name_and_steps(fit) == name_and_steps(&first);
+    let mut twins = Vec::new();
+    if found.agree.len() > 1 && !found.exact && !found.many {
+        let is_twin = |fit: &mut Fit| !is_first(fit) && same(data, &first, fit).is_some();
+        twins.extend(found.agree.extract_if(.., is_twin));
+    }
     for _ in 0..3 {
-        let lag = 5 * found.lag;
-        let Some(best) = found.agree.first().copied() else { return };
-        let here = applied(data, &best);
-        let time = f64::from(lag) * data.spacing * here.equation.rate();
-        let too_long = if data.has_velocities() { time > 30.0 } else { time > 1.0 };
-        let pairs = data.pairs(lag, 2 * FEW);
-        let short = pairs.len() < FEW || lag as usize * 3 > data.row.len();
-        let one = found.agree.len() == 1 && found.near.is_empty();
-        if one
-            || found.exact
-            || found.many
-            || too_long
-            || short
-            || worst(&here.bounds(&pairs)) >= 0.03
-        {
-            return;
-        }
-        found.lag = lag;
-        let numbers = active(data, true, here.equation.drive[2] != 0.0);
-        let all: Vec<Fit> = found.agree.drain(..).chain(found.near.drain(..)).collect();
-        for fit in all {
-            let mut pairs = pairs.clone();
-            pairs.retain(|pair| pair.rows[0] >= fit.older());
-            if let Some(best) = best_of(data, fit.map, fit.equation, &pairs, &numbers) {
-                found.sort_in(best);
-            }
+        if !sharpen_once(data, found, twins.is_empty()) {
+            break;
         }
     }
+    let fallen = found.near.iter().find(|fit| is_first(fit)).copied();
+    if found.agree.iter().any(is_first) {
+        found.agree.append(&mut twins);
+    } else if let Some(Fit { worst, .. }) = fallen {
+        found.near.extend(twins.into_iter().map(|twin| Fit { worst, ..twin }));
+    }
+}
+
+fn name_and_steps(fit: &Fit) -> Option<(&'static str, u32, Force)> {
+    let Map::Steps(candidate, steps) = fit.map else { return None };
+    Some((candidate.name, steps, fit.equation.force))
+}
+
+/// Whether there were more rows, and more than one to be compared, perhaps with twins.
+fn sharpen_once(data: &Data, found: &mut Found, alone: bool) -> bool {
+    let lag = 5 * found.lag;
+    let Some(best) = found.agree.first().copied() else { return false };
+    let here = applied(data, &best);
+    let time = f64::from(lag) * data.spacing * here.equation.rate();
+    let too_long = if data.has_velocities() { time > 30.0 } else { time > 1.0 };
+    let pairs = data.pairs(lag, 2 * FEW);
+    let short = pairs.len() < FEW || lag as usize * 3 > data.row.len();
+    let one = found.agree.len() == 1 && found.near.is_empty() && alone;
+    if one || found.exact || found.many || too_long || short || worst(&here.bounds(&pairs)) >= 0.03
+    {
+        return false;
+    }
+    found.lag = lag;
+    let numbers = active(data, true, here.equation.drive[2] != 0.0);
+    let all: Vec<Fit> = found.agree.drain(..).chain(found.near.drain(..)).collect();
+    for fit in all {
+        let mut pairs = pairs.clone();
+        pairs.retain(|pair| pair.rows[0] >= fit.older());
+        if let Some(best) = best_of(data, fit.map, fit.equation, &pairs, &numbers) {
+            found.sort_in(best);
+        }
+    }
+    true
 }
 
 fn keep(nearest: &mut Option<Fit>, fit: Fit) {
@@ -688,10 +719,10 @@ pub fn same(data: &Data, one: &Fit, other: &Fit) -> Option<f64> {
     let mut rows =
         Data { spacing: data.spacing, even: false, start: data.start, ..Data::default() };
     for (n, pair) in data.pairs(1, 12).iter().enumerate() {
-        let [i, j, _] = pair.rows;
+        let i = pair.rows[0];
         let omega = match data.omega.get(i) {
             Some(omega) => *omega,
-            None => here.velocity(pair, data.theta[i], data.theta[j])?,
+            None => here.velocity(pair)?,
         };
         // The span is the difference of two times, which are small to have no rounding of their
         // own.
@@ -715,8 +746,14 @@ pub fn same(data: &Data, one: &Fit, other: &Fit) -> Option<f64> {
     let mut numbers = active(&rows, one.equation.c != 0.0, driven);
     numbers[2] = false;
     let from = Applied { data: &rows, map, equation: other.equation, stretch: 1.0 };
+    // No numbers make the largest residual of some pairs less than the least mean: so most maps are
+    // seen to be others in four of them.
+    let few = fit(from, &pairs[..pairs.len().min(4)], &numbers, false)?;
+    if few.mean > LIKE {
+        return None;
+    }
     let best = fit(from, &pairs, &numbers, false)?;
-    (best.worst <= 2.0).then_some(best.equation.k)
+    (best.worst <= LIKE).then_some(best.equation.k)
 }
 
 /// A drive that makes the undriven motion's misfit small: its a, b and Ω.
@@ -730,11 +767,11 @@ pub fn drive(data: &Data) -> Option<[f64; 3]> {
             let span = data.t[j] - data.t[i];
             let (a, b) = (data.omega[i], data.omega[j]);
             let t = 0.5 * (data.t[i] + data.t[j]);
-            (t, (b - a) / span, 0.5 * (libm::sin(th[i]) + libm::sin(th[j])), 0.5 * (a + b))
+            (t, (b - a) / span, 0.5 * (sine(th[i]) + sine(th[j])), 0.5 * (a + b))
         } else {
             let span = data.t[j] - data.t[i];
             let bend = (th[i] - 2.0 * th[j] + th[k]) / (span * span);
-            (data.t[j], bend, libm::sin(th[j]), (th[k] - th[i]) / (2.0 * span))
+            (data.t[j], bend, sine(th[j]), (th[k] - th[i]) / (2.0 * span))
         };
         rows.push([t, bend, -force, -rate]);
     }
@@ -743,8 +780,8 @@ pub fn drive(data: &Data) -> Option<[f64; 3]> {
         let columns: Vec<Vec<f64>> = vec![
             rows.iter().map(|x| x[2]).collect(),
             rows.iter().map(|x| x[3]).collect(),
-            rows.iter().map(|x| libm::cos(frequency * x[0])).collect(),
-            rows.iter().map(|x| libm::sin(frequency * x[0])).collect(),
+            rows.iter().map(|x| cosine(frequency * x[0])).collect(),
+            rows.iter().map(|x| sine(frequency * x[0])).collect(),
         ];
         let bends: Vec<f64> = rows.iter().map(|x| x[1]).collect();
         let flat = Flat::new(&columns);
@@ -779,7 +816,7 @@ pub fn drive(data: &Data) -> Option<[f64; 3]> {
 
 /// The exact motion from the first row over all of the run: angle and velocity.
 pub fn exact_end(equation: &Equation, start: f64, z: [f64; 2], time: f64) -> [f64; 2] {
-    exact_within(equation, start, z, time, 0.15, 1e7)
+    exact(equation, start, z, time, 0.15, 1e7)
 }
 
 /// The fraction of a row of numbers that a combination of others does not explain.
