@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use super::decimal::nearest;
 use super::lanes::sine;
 use super::parse::{Column, Table};
 use super::report::{Digits, Read, Refusal, Unit, Used};
@@ -82,7 +83,7 @@ pub fn choose(table: &Table) -> Result<(Read, Run), Refusal> {
         return Err(if columns.is_empty() { Refusal::NoRows } else { Refusal::OneColumn });
     }
     let time = time(columns).ok_or(Refusal::NoTime)?;
-    let unit = |column: &Column| column.heading.to_lowercase();
+    let unit = |column: &Column| small(&column.heading);
     let milliseconds = ["(ms)", "[ms]", "_ms", " ms", "millis"];
     let scale =
         if milliseconds.iter().any(|x| unit(&columns[time]).contains(x)) { 1e-3 } else { 1.0 };
@@ -185,7 +186,7 @@ fn is_single(column: &Column) -> bool {
         let unit = libm::pow(10.0, f64::from(-cell.decimals));
         let off = (f64::from(single) - cell.value).abs();
         off <= libm::fmin(unit, 1e-11 * cell.value.abs())
-            || single.to_string().parse() == Ok(cell.value)
+            || nearest(&single.to_string()) == Some(cell.value)
     };
     long && cells().count() > MANY && cells().all(is)
 }
@@ -224,9 +225,19 @@ pub fn halves(column: &Column) -> (Digits, Vec<f64>) {
     (Digits::Significant(significant), halves.collect())
 }
 
+/// In small letters, of the alphabets in which the words above are: all alphabets' letters are some
+/// kilobytes, which the page would carry.
+fn small(heading: &str) -> String {
+    let by = |c: char| match c {
+        'A'..='Z' | 'À'..='Þ' | 'Α'..='Ω' | 'А'..='Я' => 32,
+        _ => 0,
+    };
+    heading.chars().map(|c| char::from_u32(c as u32 + by(c)).unwrap_or(c)).collect()
+}
+
 /// The heading in small letters, without its unit.
 fn bare(column: &Column) -> String {
-    let heading = column.heading.to_lowercase();
+    let heading = small(&column.heading);
     let end = heading.find(['(', '[', ',', '/']).filter(|&at| at > 0 && !heading.starts_with('d'));
     heading[..end.unwrap_or(heading.len())].trim().to_string()
 }

@@ -24,6 +24,7 @@
 #[doc(hidden)]
 pub mod candidates;
 mod columns;
+mod decimal;
 mod faults;
 mod fit;
 mod json;

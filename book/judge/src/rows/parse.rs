@@ -1,5 +1,6 @@
 //! A text as columns of numbers with their digits.
 
+use super::decimal::nearest;
 use super::report::Refusal;
 
 /// A number as it is written.
@@ -253,7 +254,7 @@ fn read(word: &str, point: char) -> Option<Cell> {
         text.push_str(&format!("e{shift}"));
         decimals -= shift;
     }
-    let value: f64 = text.parse().ok()?;
+    let value = nearest(&text)?;
     value.is_finite().then_some(Cell { value, decimals, significant, zeros })
 }
 

@@ -1,6 +1,6 @@
 //! The words for what is found in the rows of a run.
 
-use core::fmt;
+use core::fmt::{self, Write as _};
 
 use super::numbers::{Scientific, plain};
 use crate::known_answers;
@@ -72,7 +72,7 @@ impl fmt::Display for Read {
         let column = |f: &mut fmt::Formatter<'_>, used: &crate::rows::Used| {
             match used.heading.as_str() {
                 "" => write!(f, "column {}", used.column)?,
-                heading => write!(f, "{heading:?}")?,
+                heading => quoted(f, heading)?,
             }
             match used.digits {
                 Digits::Decimals(1) => f.write_str(" (1 decimal)"),
@@ -158,6 +158,31 @@ impl fmt::Display for Fault {
             }
         }
     }
+}
+
+/// A heading in quotation marks, with an escape for what would move the cursor, hide what stands
+/// beside it or turn it around.
+///
+/// Not as `Debug` has it, whose tables of letters are some kilobytes, which the page would carry.
+fn quoted(f: &mut fmt::Formatter<'_>, heading: &str) -> fmt::Result {
+    f.write_str("\"")?;
+    for c in heading.chars() {
+        match c {
+            '"' | '\\' => write!(f, "\\{c}")?,
+            '\0'..' ' | '\u{7f}'..'\u{a0}' => write!(f, "{}", c.escape_unicode())?,
+            '\u{ad}'
+            | '\u{61c}'
+            | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}'
+            | '\u{e000}'..='\u{f8ff}'
+            | '\u{feff}'
+            | '\u{fff0}'..='\u{fffb}'
+            | '\u{e0000}'.. => write!(f, "{}", c.escape_unicode())?,
+            c => f.write_char(c)?,
+        }
+    }
+    f.write_str("\"")
 }
 
 /// A number with its uncertainty: "9.8000 ± 0.0004".
