@@ -571,11 +571,13 @@ impl Found {
     }
 }
 
-/// Methods before mistakes, sine before others, then what has the fewest steps.
-pub fn rank(fit: &Fit) -> (bool, usize, u32) {
+/// Methods before mistakes, sine before others, no drag before one, as forward Euler with a drag has
+/// some of symplectic Euler's rows, and then what has the fewest steps.
+pub fn rank(fit: &Fit) -> (bool, usize, bool, u32) {
+    let Equation { force, c, .. } = fit.equation;
     match fit.map {
-        Map::Steps(candidate, steps) => (!candidate.right, fit.equation.force as usize, steps),
-        Map::Exact => (true, 0, 0),
+        Map::Steps(candidate, steps) => (!candidate.right, force as usize, c != 0.0, steps),
+        Map::Exact => (true, 0, false, 0),
     }
 }
 
