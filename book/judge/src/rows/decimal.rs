@@ -152,7 +152,8 @@ mod tests {
         for _ in 0..20_000 {
             let any = f64::from_bits(r.u64(..));
             let near = 4.0 * r.f64() - 2.0;
-            let tiny = f64::from_bits(r.u64(..1 << r.u32(1..55)));
+            let size = r.u32(1..55);
+            let tiny = f64::from_bits(r.u64(..1 << size));
             for x in [any, near, tiny].into_iter().filter(|x| x.is_finite()) {
                 hold(&format!("{x:e}"));
                 hold(&format!("{x:.*e}", r.usize(0..25)));
@@ -173,7 +174,7 @@ mod tests {
         }
         let half = format!("{:.1074}", f64::from_bits(1));
         hold(&half);
-        hold(&format!("9007199254740993{}", "0".repeat(900)).replace("000", "0")[..300]);
+        hold(&format!("9007199254740993{}", "0".repeat(280)));
         hold(&format!("9007199254740993.{}1", "0".repeat(900)));
         hold(&format!("{}e-1200", "7".repeat(1100)));
         assert_eq!(by_division("1,5"), None);
