@@ -239,6 +239,7 @@ impl Candidate {
     }
 
     /// A step of each.
+    #[expect(clippy::needless_range_loop, reason = "a lane is an entry of several arrays")]
     pub fn step_four_from(
         &self,
         equations: &Equations,

@@ -252,6 +252,7 @@ impl Applied<'_> {
     }
 
     /// The same of four pairs or fewer; NaN where there is none.
+    #[expect(clippy::needless_range_loop, reason = "a lane is an entry of several arrays")]
     fn velocities(&self, pairs: &[Pair], from: Four, to: Four) -> Four {
         let mut way = self.way(pairs, false);
         let mut omega = (to - from) / way.span;
