@@ -36,9 +36,9 @@ DROPPED = """text => {
 }"""
 # What is loaded when it is first asked.
 COMPILED = "assets/rows.wasm.js"
-# Bytes, compressed: what was measured (142 000 and 3 700), and a little for other compilers. A
+# Bytes, compressed: what was measured (152 400 and 3 700), and a little for other compilers. A
 # reader loads the second with the page, and the first when it is asked.
-LIMITS = {COMPILED: 147_000, "assets/which/rows.js": 4_000}
+LIMITS = {COMPILED: 158_000, "assets/which/rows.js": 4_000}
 
 
 def table(rows: int = 60) -> str:

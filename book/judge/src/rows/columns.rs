@@ -2,7 +2,6 @@
 
 use core::f64::consts::PI;
 
-use super::decimal::nearest;
 use super::lanes::sine;
 use super::parse::{Column, Table};
 use super::report::{Digits, Read, Refusal, Unit, Used};
@@ -186,7 +185,7 @@ fn is_single(column: &Column) -> bool {
         let unit = libm::pow(10.0, f64::from(-cell.decimals));
         let off = (f64::from(single) - cell.value).abs();
         off <= libm::fmin(unit, 1e-11 * cell.value.abs())
-            || nearest(&single.to_string()) == Some(cell.value)
+            || single.to_string().parse() == Ok(cell.value)
     };
     long && cells().count() > MANY && cells().all(is)
 }

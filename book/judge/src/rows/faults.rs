@@ -3,7 +3,6 @@
 use core::f64::consts::{PI, TAU};
 
 use super::columns::Run;
-use super::decimal::nearest;
 use super::report::Fault;
 
 /// The places of the rows on an even grid.
@@ -171,7 +170,7 @@ pub fn meant(value: f64, known_to: f64) -> f64 {
 /// To so many decimals.
 pub fn rounded(value: f64, decimals: i32) -> f64 {
     if decimals >= 0 {
-        return nearest(&format!("{value:.*}", decimals as usize)).unwrap_or(value);
+        return format!("{value:.*}", decimals as usize).parse().unwrap_or(value);
     }
     let unit = libm::pow(10.0, f64::from(-decimals));
     libm::round(value / unit) * unit

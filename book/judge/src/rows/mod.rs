@@ -24,7 +24,6 @@
 #[doc(hidden)]
 pub mod candidates;
 mod columns;
-mod decimal;
 mod faults;
 mod fit;
 mod json;

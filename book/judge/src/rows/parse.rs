@@ -1,6 +1,5 @@
 //! A text as columns of numbers with their digits.
 
-use super::decimal::nearest;
 use super::report::Refusal;
 
 /// A number as it is written.
@@ -254,7 +253,7 @@ fn read(word: &str, point: char) -> Option<Cell> {
         text.push_str(&format!("e{shift}"));
         decimals -= shift;
     }
-    let value = nearest(&text)?;
+    let value: f64 = text.parse().ok()?;
     value.is_finite().then_some(Cell { value, decimals, significant, zeros })
 }
 
