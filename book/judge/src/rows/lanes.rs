@@ -63,8 +63,8 @@ impl Four {
         self.turned(0.5)
     }
 
-    /// sin(x + π `shift`) for a shift of 0 or ½, without a branch between polynomials, so
-    /// that four overlap; the same on every machine. Beyond 2²⁰ half turns, where no row leads, NaN.
+    /// sin(x + π `shift`) for a shift of 0 or ½, without a branch between polynomials, so that four
+    /// overlap; the same on every machine. Beyond 2²⁰ half turns, where no row leads, NaN.
     ///
     /// x = (n − shift) π + r with |r| ≤ π/2, and the value is (−1)ⁿ sin r. Cody and Waite's
     /// reduction, as the library's: the first two products are exact, and so is the first

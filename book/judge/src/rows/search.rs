@@ -571,8 +571,8 @@ impl Found {
     }
 }
 
-/// Methods before mistakes, sine before others, no drag before one, as forward Euler with a drag has
-/// some of symplectic Euler's rows, and then what has the fewest steps.
+/// Methods before mistakes, sine before others, no drag before one, as forward Euler with a drag
+/// has some of symplectic Euler's rows, and then what has the fewest steps.
 pub fn rank(fit: &Fit) -> (bool, usize, bool, u32) {
     let Equation { force, c, .. } = fit.equation;
     match fit.map {
