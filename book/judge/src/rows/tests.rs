@@ -78,7 +78,7 @@ fn what_cannot_be_told_is_not_named() {
 fn faults_of_the_rows_are_told_by_their_row() {
     let rows = run("stormer-verlet", &PENDULUM, 0.05, 1, 100);
     type Change = fn(&mut Vec<[f64; 3]>);
-    let cases: [(Change, Fault); 6] = [
+    let cases: [(Change, Fault); 8] = [
         (|rows| rows.retain(|row| row[0] != 2.0), Fault::Missing { after: 40, rows: 1 }),
         (|rows| rows[40][1] += 0.01, Fault::Edited { row: 41 }),
         (|rows| rows[40][2] = f64::NAN, Fault::NoNumber { row: 41 }),
@@ -93,6 +93,9 @@ fn faults_of_the_rows_are_told_by_their_row() {
             Fault::VelocityShifted { rows: 1 },
         ),
         (|rows| rows[40][0] += 0.013, Fault::TimeOff { row: 41 }),
+        // The same row twice.
+        (|rows| rows.insert(41, rows[40]), Fault::TimeRepeated { row: 42 }),
+        (|rows| rows.insert(41, rows[40]), Fault::StateRepeated { row: 42 }),
     ];
     for (change, fault) in cases {
         let mut rows = rows.clone();

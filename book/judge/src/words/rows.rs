@@ -127,9 +127,7 @@ impl fmt::Display for Fault {
             Self::Missing { after, rows } => {
                 write!(f, "{rows} rows are missing after row {after}.")
             }
-            Self::TimeRepeated { row } => {
-                write!(f, "Row {row} has the time of the row before, and another state.")
-            }
+            Self::TimeRepeated { row } => write!(f, "Row {row} has the time of the row before."),
             Self::StateRepeated { row } => write!(f, "Row {row} has the state of the row before."),
             Self::TimesLate { row, by: 1 } => write!(
                 f,
