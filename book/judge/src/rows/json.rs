@@ -7,13 +7,6 @@ use super::report::{
 };
 
 impl RunReport {
-    /// The rows that can be drawn, as JSON.
-    pub fn drawn_json(&self) -> Value {
-        self.drawn.as_ref().map_or(Value::Null, |drawn| {
-            json!({"t": drawn.t, "theta": drawn.theta, "exact": drawn.exact, "off": drawn.off})
-        })
-    }
-
     /// The report as JSON; `text` has it in words.
     pub fn json(&self) -> Value {
         let read = &self.read;

@@ -107,6 +107,11 @@ fn faults_of_the_rows_are_told_by_their_row() {
         assert!(found.faults.contains(&fault), "{fault:?}: {found}");
         assert_eq!(method(&found).0, "stormer-verlet", "{fault:?}: {found}");
     }
+    let mut twice = rows;
+    twice.insert(41, twice[40]);
+    let said = report(&text(&twice, 9)).to_string();
+    // No more of it, as its state may be the same or another.
+    assert!(said.contains("Row 42 has the time of the row before.\n"), "{said}");
 }
 
 /// Catches: degrees taken for radians, x and y for an angle and its rate, full turns that are lost.
