@@ -61,7 +61,7 @@
 //!   [`Rk4`], [`StormerVerlet`]. The others are in [`methods`], as a table.
 //! * The problem: [`Pendulum`], and its exact solution, [`Motion`].
 //!
-//! The book, which `cargo run --release` builds from the repository, walks through each of them.
+//! The book, which `cargo run` builds from the repository, walks through each of them.
 //!
 //! # What it is not for
 //!

@@ -17,11 +17,11 @@ class Book:
         # What every address of the book begins with.
         self.root = self.folder.as_uri()
         if not (self.folder / "toc.html").is_file():
-            sys.exit(f"{folder}: no built book here; cargo run --release builds it")
-        # Cargo puts the program beside the book, in target/release and target/book.
-        self.program = self.folder.parent / "release/pendula"
+            sys.exit(f"{folder}: no built book here; cargo run builds it")
+        # Cargo puts the program beside the book, in target/debug and target/book.
+        self.program = self.folder.parent / "debug/pendula"
         if not self.program.is_file():
-            sys.exit(f"{self.program}: not built; cargo build --release builds it")
+            sys.exit(f"{self.program}: not built; cargo build builds it")
         self.pages = sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*.html"))
         links = re.findall(r'<a href="([^"#]+\.html)"', self.text("toc.html"))
         # In reading order, each once. The first chapter is index.html too.

@@ -41,7 +41,7 @@ def copied(tab, book) -> list[tuple[str, str, str | None]]:
 
 def crates() -> list[str]:
     """The options that give `rustc` the crates of which the program is made."""
-    build = "cargo build --release --quiet --bin pendula --message-format json".split()
+    build = "cargo build --quiet --bin pendula --message-format json".split()
     told = subprocess.run(build, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     options = []
     for message in map(json.loads, told.splitlines()):

@@ -26,11 +26,8 @@ fn ten_thousand_scenes_are_sound_or_refused() {
 /// A million other scenes, which take minutes:
 ///
 /// ```text
-/// cargo test --release -p pendula --test runs -- --ignored --nocapture a_million_scenes
+/// cargo test -p pendula --test runs -- --ignored --nocapture a_million_scenes
 /// ```
-///
-/// with `CARGO_PROFILE_RELEASE_DEBUG_ASSERTIONS=true CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS=true`
-/// before it, so that an overflow of an integer shows.
 ///
 /// Catches: the same, where it is rare.
 #[test]

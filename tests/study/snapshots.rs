@@ -70,7 +70,7 @@ fn assert_reviewed(name: &str) {
     settings.set_raw_info(&Content::Map(info));
     let compare = || insta::assert_snapshot!(stem.as_str(), snapshot.text());
     if let Err(panic) = catch_unwind(AssertUnwindSafe(|| settings.bind(compare))) {
-        eprintln!("\nTo see what moved: cargo run --release -- review --open");
+        eprintln!("\nTo see what moved: cargo run -- review --open");
         resume_unwind(panic);
     }
 }

@@ -274,10 +274,7 @@ impl Document {
             );
         }
         self.paragraph("A snapshot is accepted whole, with all that moved in it.");
-        self.code(
-            "text",
-            &format!("cargo run --release -- review --accept {}", review.acceptable.join(" ")),
-        );
+        self.code("text", &format!("cargo run -- review --accept {}", review.acceptable.join(" ")));
         self.paragraph("For `CHANGELOG.md`, with a reason that a reader can check:");
         let names = code(&review.acceptable);
         let entry = wrapped(&format!("* …, because …. Moved: {names}."));

@@ -143,8 +143,7 @@ fn compared(
 const STALE: &str =
     "its pending file is not what the code gives now; run the tests again, or remove it";
 /// What to do about a program that is older than its source.
-const RUN: &str =
-    "what it computes may be something else; `cargo run --release -- review` compiles it";
+const RUN: &str = "what it computes may be something else; `cargo run -- review` compiles it";
 
 /// Accepts, and says what is left to review.
 fn accept(
