@@ -1,5 +1,6 @@
 """A tab of Chromium, which remembers what its pages complain of."""
 
+import shutil
 import time
 from collections.abc import Callable
 from contextlib import contextmanager
@@ -8,9 +9,12 @@ from playwright.sync_api import Error, TimeoutError
 
 from book import Book
 
-PROGRAM = "/usr/bin/chromium"
-# As root there is no sandbox. The rest keeps the browser from asking anything of the network.
-ARGUMENTS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
+# Without windows, it takes three quarters of the time.
+PROGRAM = shutil.which("chromium-headless-shell") or "/usr/bin/chromium"
+# As root there is no sandbox. Letters are as wide as on a screen. The rest keeps the browser from
+# asking anything of the network.
+ARGUMENTS = """--headless --no-sandbox --font-render-hinting=none
+--disable-gpu --disable-quic --no-first-run
 --disable-background-networking --disable-component-update --disable-sync""".split()
 
 # The width of a desk's window and of a telephone's, in CSS pixels.

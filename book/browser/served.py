@@ -13,7 +13,7 @@ from browser import Tab
 
 ELSEWHERE = "https://elsewhere.test"
 # Puts scripts and a picture of a stranger on a page; which of the scripts run. That every page has
-# the policy, and what it says of the rest, book/program/tests/book/built_book.rs sees.
+# the policy, and what it says of the rest, book/program/tests/program/book/built_book.rs sees.
 STRANGERS = """async elsewhere => {
     const add = (name, values) => document.body.append(
         Object.assign(document.createElement(name), values));

@@ -26,7 +26,7 @@ fn ten_thousand_scenes_are_sound_or_refused() {
 /// A million other scenes, which take minutes:
 ///
 /// ```text
-/// cargo test -p pendula --test runs -- --ignored --nocapture a_million_scenes
+/// cargo test --test runs -- --ignored --nocapture a_million_scenes
 /// ```
 ///
 /// Catches: the same, where it is rare.

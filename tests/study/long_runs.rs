@@ -1,5 +1,5 @@
 //! What the ten best methods need for three long runs, found by the runs themselves. It takes
-//! more than half an hour: `cargo test -p pendula-study --test study long_runs -- --ignored
+//! more than half an hour: `cargo test --test study long_runs -- --ignored
 //! --nocapture`.
 
 use std::num::NonZeroU64;

@@ -1,7 +1,7 @@
 //! A search for right programs that are refused or misnamed, and for wrong ones that are let
 //! through or told a cause that is not theirs.
 //!
-//! A test judges some of each; `cargo test -p pendula-judge --test verify search -- --ignored
+//! A test judges some of each; `cargo test --test verify search -- --ignored
 //! --nocapture` a thousand of each, and says which wrong ones are let through: some ten minutes.
 
 use pendula::{METHODS, Phase};

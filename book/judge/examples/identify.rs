@@ -2,7 +2,7 @@
 //! table may be given another's name, or a fault that it has not. Prints how many are named, by
 //! digits, and fails if something false is said of one. The tables are the same on every machine.
 //!
-//! The chapter has what `cargo run -p pendula-judge --example identify 2000` prints, in
+//! The chapter has what `cargo run --example identify 2000` prints, in
 //! some twenty minutes; `identify COUNT FROM` takes as many of each from another seed on.
 
 use std::collections::BTreeMap;

@@ -133,9 +133,19 @@ def test_a_report_shows_itself_in_two_lines():
     assert second.endswith("; print() shows all of it>")
 
 
+# Ten seconds each: `.ci/python --wheel` takes them all.
+SLOW = pytest.mark.slow
+
+
 @pytest.mark.parametrize(
     ("form", "shape"),
-    [("steps", ()), ("steps", (1, 1)), ("rows", (1,)), ("rates", ()), ("rates", (1, 1))],
+    [
+        pytest.param("steps", (), marks=SLOW),
+        ("steps", (1, 1)),
+        ("rows", (1,)),
+        ("rates", ()),
+        pytest.param("rates", (1, 1), marks=SLOW),
+    ],
 )
 def test_numbers_may_be_alone_in_arrays(form, shape):
     """Catches: an array of one number that is no number, here or in the force."""

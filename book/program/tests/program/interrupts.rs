@@ -78,7 +78,7 @@ fn a_signal_leaves_whole_rows() {
         let mut rows = b"t".to_vec();
         if attempt < 3 {
             let reader = thread::spawn(move || pipe.read_to_end(&mut rows).map(|_| rows));
-            thread::sleep(Duration::from_micros(random >> 46));
+            thread::sleep(Duration::from_micros(random >> 48));
             send(Signal::TERM, &run);
             ended(run);
             rows = reader.join().expect("no panic").expect("rows");

@@ -1,5 +1,6 @@
-//! The binary `pendula` as its users and other programs call it.
+//! The binary `pendula` as its users and other programs call it, and the book that it builds.
 
+mod book;
 mod commands;
 mod files;
 mod help;

@@ -2,10 +2,10 @@
 //! last curve: islands hold some, others wander, and some are carried off.
 
 use core::f64::consts::TAU;
+use core::num::NonZeroU64;
 
 use pendula::methods::StormerVerlet;
 use pendula::metrics::EnergyDrift;
-use pendula::registry::InSteps;
 use pendula::{AnyMethod, Ensemble, Grid, Info, Observer, Pendulum, Phase, method_named};
 
 use super::standard_map::step;
@@ -42,31 +42,32 @@ pub fn run() -> Vec<Row> {
     PARAMETERS
         .map(|k| Row {
             k,
-            from_1_rad: largest_errors(&InSteps(StormerVerlet), k, 1.0),
-            from_3_rad: largest_errors(&InSteps(StormerVerlet), k, 3.0),
+            from_1_rad: largest_errors(k, 1.0),
+            from_3_rad: largest_errors(k, 3.0),
             spread: spread(k),
         })
         .to_vec()
 }
 
 /// See [`Row::from_1_rad`].
-fn largest_errors(method: &dyn AnyMethod, k: f64, theta_0: f64) -> Option<[f64; 2]> {
-    let starts = core::iter::successors(Some(theta_0), |theta| Some(theta.next_up()));
-    let mut band = [f64::INFINITY, 0.0];
-    for start in starts.take(NEIGHBOURS as usize) {
-        let error = largest_error(method, k, start)?;
-        band = [band[0].min(error), band[1].max(error)];
-    }
-    Some(band)
+fn largest_errors(k: f64, theta_0: f64) -> Option<[f64; 2]> {
+    let angles = core::iter::successors(Some(theta_0), |theta| Some(theta.next_up()));
+    let starts: Vec<Phase> = angles.take(NEIGHBOURS as usize).map(Phase::at_rest).collect();
+    let grid = Grid::new(step(k), STEPS).expect("a positive step");
+    let staying =
+        |_| Staying { drift: EnergyDrift::new(&Pendulum::PAPER), step: grid.step(), stays: true };
+    let mut orbits: Vec<Staying> = starts.iter().map(staying).collect();
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).watch(method(), NonZeroU64::MIN, &mut orbits);
+    let errors = orbits.iter().map(|orbit| orbit.drift.largest());
+    let band = errors.fold([f64::INFINITY, 0.0], |[least, greatest]: [f64; 2], error| {
+        [least.min(error), greatest.max(error)]
+    });
+    orbits.iter().all(|orbit| orbit.stays).then_some(band)
 }
 
-/// The largest energy error (J) from rest at `theta_0` (rad); `None` if the orbit escapes.
-fn largest_error(method: &dyn AnyMethod, k: f64, theta_0: f64) -> Option<f64> {
-    let grid = Grid::new(step(k), STEPS).expect("a positive step");
-    let drift = EnergyDrift::new(&Pendulum::PAPER);
-    let mut watch = Staying { drift, step: grid.step(), stays: true };
-    method.run(&Pendulum::PAPER, Phase::at_rest(theta_0), &grid, &mut watch);
-    watch.stays.then_some(watch.drift.largest())
+/// Störmer–Verlet, with its steps in lanes.
+fn method() -> &'static dyn AnyMethod {
+    method_named(StormerVerlet.info().name).expect("a method of the library")
 }
 
 /// The energy of an orbit until it escapes.
@@ -101,8 +102,7 @@ fn spread(k: f64) -> f64 {
     let starts: Vec<Phase> = starts(side).map(|(theta, u)| Phase { theta, omega: u / h }).collect();
     let grid = Grid::new(h, steps).expect("a positive step");
     let mut ends = starts.clone();
-    let method = method_named(StormerVerlet.info().name).expect("a method of the library");
-    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(method, &mut ends);
+    Ensemble::new(&Pendulum::PAPER, &starts, grid).ends(method(), &mut ends);
     let change = |(z, end): (&Phase, &Phase)| (end.omega - z.omega) * h;
     let squares: f64 = starts.iter().zip(&ends).map(change).map(|du| du * du).sum();
     squares / (starts.len() as f64 * 0.5 * k * k * steps as f64)

@@ -9,8 +9,8 @@ use pendula_program::book::preprocess::strangers;
 use pendula_program::output::files;
 use regex::Regex;
 
-use crate::built_book::PAPER;
-use crate::root;
+use crate::book::built_book::PAPER;
+use crate::book::root;
 
 /// The chapters, by file name, with their texts.
 pub fn chapters() -> Vec<(String, String)> {

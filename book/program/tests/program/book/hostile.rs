@@ -11,7 +11,7 @@ use pendula_program::output::failure::Failure;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use crate::chapters::chapters;
+use crate::book::chapters::chapters;
 
 /// A thousand cases, or as many as the environment asks for, if that is more.
 fn config() -> ProptestConfig {

@@ -9,7 +9,7 @@ use pendula_program::book::review::Review;
 use pendula_program::book::review::working_tree::{WorkingTree, contents};
 use pendula_program::book::versions::{Version, on_disk};
 
-use crate::root;
+use crate::book::root;
 
 mod said;
 

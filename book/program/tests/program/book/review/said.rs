@@ -11,9 +11,9 @@ use pendula_study::claims::Verdict;
 use pendula_study::report::snapshots::Kind;
 
 use super::{REVIEWED, between, changed, review};
-use crate::chapters::chapters;
-use crate::pages::Page;
-use crate::root;
+use crate::book::chapters::chapters;
+use crate::book::pages::Page;
+use crate::book::root;
 
 /// What half kicks of 0.4999 h do to one of Störmer–Verlet's cells, wherever it stands, and to a
 /// slope.

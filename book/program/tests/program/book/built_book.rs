@@ -16,10 +16,10 @@ use regex::Regex;
 use tempfile::TempDir;
 use tl::ParserOptions;
 
-use crate::chapters::chapters;
-use crate::pages::{Page, Site, is_remote};
-use crate::review::REVIEWED;
-use crate::root;
+use crate::book::chapters::chapters;
+use crate::book::pages::{Page, Site, is_remote};
+use crate::book::review::REVIEWED;
+use crate::book::root;
 
 /// The paper's claims as measured now.
 pub static PAPER: LazyLock<Paper> = LazyLock::new(|| Paper::new(Study::of_the_paper()));

@@ -13,8 +13,8 @@ use pendula_program::book::progress::Progress;
 use pendula_program::output::files;
 use tempfile::TempDir;
 
-use crate::built_book::PAPER;
-use crate::root;
+use crate::book::built_book::PAPER;
+use crate::book::root;
 
 const BOOK: &str = "[book]\ntitle = \"a\"\n[build]\nbuild-dir = \"../target/book\"\n\
                     [preprocessor.pendula]\nafter = [\"links\"]\nrenderers = [\"html\"]\n\
