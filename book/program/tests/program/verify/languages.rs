@@ -191,7 +191,7 @@ fn is_dormand_prince(words: &[&str]) {
 /// zero, a way back or another unit of time that it was not made for; a crossing that is missed,
 /// told twice, or is not where the motion passes zero; the impossible tried for ever.
 #[rstest]
-#[ignore = "a solver in Python takes ten seconds: .ci/slow runs it"]
+#[ignore = "solvers in Python take ten seconds, and rustc one: .ci/slow runs them"]
 #[case::python("solver-python", "python3", "python3 FILE")]
 #[case::rust("solver-rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
 fn an_example_is_a_solver(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
