@@ -160,7 +160,7 @@ fn a_closed_stream_is_told() {
         "methods >&-",
         "--help >&-",
         "--version >&-",
-        "verify --claims order=4 -- $0 serve rk4 >&-",
+        "verify --claims order=4 -- \"$0\" serve rk4 >&-",
     ] {
         let told = refused(&ended(line));
         assert!(told.contains("standard output cannot be written: it is closed"), "{line}: {told}");
@@ -192,7 +192,7 @@ fn all_files_are_replaced_or_none() {
         &format!("{run} --plot a.svg > /dev/full"),
         &format!("{run} --output a.svg --plot - > /dev/full"),
         "sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --plot a.svg --output /dev/full",
-        "verify --report a.svg -- $0 serve rk4 > /dev/full",
+        "verify --report a.svg -- \"$0\" serve rk4 > /dev/full",
         "bench --seconds 1e-9 --output . > /dev/full",
     ] {
         let output = shell(&format!("exec \"$0\" {line}")).current_dir(folder.path()).output();
@@ -244,7 +244,7 @@ fn a_stream_and_a_file_of_one_name_are_refused() {
         &format!("{run} --plot x > x"),
         &format!("{run} --plot - --output link >> x"),
         "sweep --method rk4 --theta0 0:1:3 --dt 0.1 --duration 1 --plot x > x",
-        "verify --report x -- $0 serve rk4 > x",
+        "verify --report x -- \"$0\" serve rk4 > x",
         "bench --seconds 1e-9 --output . > work-precision.csv",
     ];
     symlink("x", at("link")).unwrap();
