@@ -49,7 +49,8 @@ class Tab:
 
     def __exit__(self, kind, *_):
         self.context.close()
-        assert kind or not self.complaints()
+        complaints = self.complaints()
+        assert kind or not complaints, complaints
 
     def _console(self, message):
         # A file that is missing is told of below, with its name.
