@@ -352,11 +352,9 @@ fn a_request_at_its_limits_is_answered_or_refused_in_a_line() {
         let fits = every > 0 && steps > 0 && steps.is_multiple_of(every) && steps <= 1_000_000_000;
         let numbers = [start.theta, start.omega, step].iter().all(|x| x.is_finite());
         let allowed = fits && steps / every <= 10_000_000 && numbers && step != 0.0;
-        // Long runs take a second, and are answered as others are.
-        if allowed && steps > 1_000_000 {
-            continue;
-        }
-        for integrator in entries {
+        // Long runs take seconds, and the library's are answered alike.
+        let few = if allowed && steps > 1_000_000 { &entries[..1] } else { &entries[..] };
+        for integrator in few {
             match integrator.answer(&request) {
                 Ok(reply) => {
                     assert!(allowed, "{request}");

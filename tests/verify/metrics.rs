@@ -231,7 +231,7 @@ fn a_change_of_the_start_grows(#[case] start: Phase, #[case] t: f64) {
 ///
 /// Catches: a bound that rounding exceeds, and one that it never comes near.
 #[rstest]
-fn rounding_is_what_it_is_taken_for(#[values(64, 512)] rate: u32) {
+fn rounding_is_what_it_is_taken_for(#[values(64, 256, 1024)] rate: u32) {
     const STARTS: u32 = 64;
     let steps = u64::from(30 * rate);
     let grid = Grid::new(1.0 / f64::from(rate), steps).unwrap();

@@ -47,9 +47,8 @@ fn every_example_runs() {
             assert!(help.contains(&format!("\n  {example}\n")), "{help}");
             assert!(example.contains(&command), "{command}: {example}");
             match command.as_str() {
-                // They measure all again, as do the tests of the study: `.ci/run` runs them. And a
-                // benchmark takes the second that it is given; `commands` runs it.
-                "book" | "review" | "bench" => {
+                // They measure all again, as do the tests of the study: `.ci/run` runs them.
+                "book" | "review" => {
                     let parsed = cli::definition().try_get_matches_from(example.split(' '));
                     assert!(parsed.is_ok(), "{parsed:?}");
                     continue;

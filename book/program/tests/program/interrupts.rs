@@ -70,15 +70,15 @@ fn a_signal_leaves_whole_rows() {
     const RUN: &str = "simulate --method rk4 --theta0 1 --dt 0.01 --steps";
     let whole = printed(&words(&format!("{RUN} 100000")));
     let mut random = 0x2545_F491_u64;
-    for attempt in 0..4 {
+    for attempt in 0..6 {
         // Knuth's generator.
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         let mut run = printing(&format!("{RUN} 100000000"));
         let mut pipe = run.stdout.take().expect("a pipe");
         let mut rows = b"t".to_vec();
-        if attempt < 2 {
+        if attempt < 3 {
             let reader = thread::spawn(move || pipe.read_to_end(&mut rows).map(|_| rows));
-            thread::sleep(Duration::from_micros(random >> 48));
+            thread::sleep(Duration::from_micros(random >> 46));
             send(Signal::TERM, &run);
             ended(run);
             rows = reader.join().expect("no panic").expect("rows");
