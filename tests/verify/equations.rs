@@ -9,21 +9,7 @@ use pendula_judge::{
 };
 use rstest::rstest;
 
-/// (θ, ω).
-type State = (f64, f64);
-/// A program: the states after 1, 2, … n steps of h (s), from g/L (1/s²) and the start.
-type Program = fn(f64, f64, f64, f64, u64) -> Vec<State>;
-
-/// n steps of one kind.
-fn steps(theta: f64, omega: f64, n: u64, step: impl Fn(State) -> State) -> Vec<State> {
-    let mut z = (theta, omega);
-    (0..n)
-        .map(|_| {
-            z = step(z);
-            z
-        })
-        .collect()
-}
+use crate::programs::{Program, State, decimals, digits, steps, verlet};
 
 /// Symplectic Euler, kick and then drift, with a force of the angle and the velocity.
 fn euler(theta: f64, omega: f64, h: f64, n: u64, force: impl Fn(f64, f64) -> f64) -> Vec<State> {
@@ -126,18 +112,9 @@ fn row_late(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
     [(theta, omega)].into_iter().chain(states).take(n as usize).collect()
 }
 
-fn verlet(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
-    steps(theta, omega, n, |(theta, omega)| {
-        let omega = omega - h / 2.0 * g * theta.sin();
-        let theta = theta + h * omega;
-        (theta, omega - h / 2.0 * g * theta.sin())
-    })
-}
-
 fn six_decimals(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
-    let printed = |x: f64| format!("{x:.6}").parse::<f64>().expect("a number");
     let states = verlet(g, theta, omega, h, n).into_iter();
-    states.map(|(theta, omega)| (printed(theta), printed(omega))).collect()
+    states.map(|(theta, omega)| (decimals(6, theta), decimals(6, omega))).collect()
 }
 
 /// Position Verlet of two positions, its velocity from the last two.
@@ -392,10 +369,9 @@ impl Numbers {
     }
 
     fn printed(self, (theta, omega): State) -> State {
-        let read = |text: String| text.parse::<f64>().expect("a number");
         let print = |x: f64| match self {
-            Self::Digits(digits) => read(format!("{x:.*e}", digits - 1)),
-            Self::Decimals(digits) => read(format!("{x:.digits$}")),
+            Self::Digits(count) => digits(count, x),
+            Self::Decimals(count) => decimals(count, x),
             _ => x,
         };
         (print(theta), print(omega))

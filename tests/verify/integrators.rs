@@ -8,9 +8,8 @@ use pendula_judge::{Claims, FromFn, Property, Verdict, judge};
 use rstest::rstest;
 
 use crate::looks::{self, Run};
+use crate::programs::{State, kick_drift, leapfrog, steps};
 
-/// (θ, ω).
-type State = (f64, f64);
 /// A step of h (s) with g/L (1/s²).
 type Step = fn(f64, State, f64) -> State;
 
@@ -18,15 +17,7 @@ type Step = fn(f64, State, f64) -> State;
 fn stepping(
     step: impl Fn(f64, State, f64) -> State,
 ) -> impl Fn(f64, f64, f64, f64, u64) -> Vec<State> {
-    move |g, theta, omega, h, n| {
-        let mut z = (theta, omega);
-        (0..n)
-            .map(|_| {
-                z = step(g, z, h);
-                z
-            })
-            .collect()
-    }
+    move |g, theta, omega, h, n| steps(theta, omega, n, |z| step(g, z, h))
 }
 
 fn rate(g: f64, (theta, omega): State) -> State {
@@ -43,12 +34,6 @@ fn one_of(run: Run, g: f64, (theta, omega): State, h: f64) -> State {
     (end.theta, end.omega)
 }
 
-fn verlet(g: f64, (theta, omega): State, h: f64) -> State {
-    let half = omega - 0.5 * h * g * theta.sin();
-    let theta = theta + h * half;
-    (theta, half - 0.5 * h * g * theta.sin())
-}
-
 fn velocity_verlet_by_the_book(g: f64, (theta, omega): State, h: f64) -> State {
     let a = -g * theta.sin();
     let next = theta + h * omega + 0.5 * h * h * a;
@@ -59,11 +44,6 @@ fn position_verlet(g: f64, (theta, omega): State, h: f64) -> State {
     let middle = theta + 0.5 * h * omega;
     let omega = omega - h * g * middle.sin();
     (middle + 0.5 * h * omega, omega)
-}
-
-fn semi_implicit(g: f64, (theta, omega): State, h: f64) -> State {
-    let omega = omega - h * g * theta.sin();
-    (theta + h * omega, omega)
 }
 
 fn drift_kick(g: f64, (theta, omega): State, h: f64) -> State {
@@ -180,7 +160,7 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
 /// library's; an identity that is not recognised.
 #[rstest]
 #[case::verlet(
-    verlet, Claims::order(2).symplectic().symmetric().bounded_energy(), "stormer-verlet",
+    leapfrog, Claims::order(2).symplectic().symmetric().bounded_energy(), "stormer-verlet",
 )]
 #[case::velocity_verlet(
     velocity_verlet_by_the_book, Claims::order(2).symplectic().symmetric(), "stormer-verlet",
@@ -189,7 +169,7 @@ fn stormers_form(g: f64, theta: f64, omega: f64, h: f64, n: u64) -> Vec<State> {
     position_verlet, Claims::order(2).symplectic().symmetric(), "position-verlet",
 )]
 #[case::semi_implicit(
-    semi_implicit, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler",
+    kick_drift, Claims::order(1).symplectic().bounded_energy(), "symplectic-euler",
 )]
 #[case::drift_kick(drift_kick, Claims::order(1).symplectic(), "symplectic-euler-drift-first")]
 #[case::forward(forward, Claims::order(1), "forward-euler")]
@@ -235,19 +215,19 @@ fn methods_of_several_steps_are_accepted(
 
 /// Störmer–Verlet under a small torque (1/s²), which no unit of time can explain away.
 fn pushed(torque: f64, g: f64, z: State, h: f64) -> State {
-    let (theta, omega) = verlet(g, z, h);
+    let (theta, omega) = leapfrog(g, z, h);
     (theta, omega + torque * h)
 }
 
 /// Störmer–Verlet under a small friction (1/s).
 fn rubbed(friction: f64, g: f64, z: State, h: f64) -> State {
-    let (theta, omega) = verlet(g, z, h);
+    let (theta, omega) = leapfrog(g, z, h);
     (theta, omega * (1.0 - friction * h))
 }
 
 /// Störmer–Verlet that loses this share of the velocity in each step.
 fn losing(share: f64, g: f64, z: State, h: f64) -> State {
-    let (theta, omega) = verlet(g, z, h);
+    let (theta, omega) = leapfrog(g, z, h);
     (theta, omega * (1.0 - share))
 }
 
@@ -255,7 +235,7 @@ fn losing(share: f64, g: f64, z: State, h: f64) -> State {
 fn verlet_with_a_short_pi(g: f64, (theta, omega): State, h: f64) -> State {
     let turn = 2.0 * 314_159_265.0 / 1e8;
     let turns = (theta / turn).round() * turn;
-    let (theta, omega) = verlet(g, (theta - turns, omega), h);
+    let (theta, omega) = leapfrog(g, (theta - turns, omega), h);
     (theta + turns, omega)
 }
 
@@ -281,14 +261,14 @@ fn to_seven_digits(z: State) -> State {
     Claims::order(2), "order",
 )]
 #[case::single_precision(
-    |g: f64, z, h: f64| to_seven_digits(verlet(g, z, h)), Claims::order(2), "precision",
+    |g: f64, z, h: f64| to_seven_digits(leapfrog(g, z, h)), Claims::order(2), "precision",
 )]
 #[case::a_billionth_lost(
     |g: f64, z, h: f64| losing(1e-9, g, z, h), Claims::order(2).symmetric(), "loss",
 )]
 #[case::a_trillionth_lost(
     |g: f64, z: State, h: f64| {
-        let (theta, omega) = semi_implicit(g, z, h);
+        let (theta, omega) = kick_drift(g, z, h);
         (theta, omega * (1.0 - 1e-12))
     },
     Claims::order(1).symplectic(), "loss",
@@ -303,7 +283,7 @@ fn to_seven_digits(z: State) -> State {
 #[case::forward_claimed_bounded(forward, Claims::order(1).bounded_energy(), "energy")]
 #[case::wrapped(
     |g: f64, z, h: f64| {
-        let (theta, omega) = verlet(g, z, h);
+        let (theta, omega) = leapfrog(g, z, h);
         ((theta + PI).rem_euclid(TAU) - PI, omega)
     },
     Claims::order(2), "turn",
@@ -320,7 +300,7 @@ fn to_seven_digits(z: State) -> State {
     |g: f64, z, h: f64| pushed(1e-8, g, z, h), Claims::order(2), "mirror",
 )]
 #[case::a_loss_with_the_step(|g: f64, z, h: f64| rubbed(1e-6, g, z, h), Claims::order(2), "units")]
-#[case::g_of_the_earth(|_, z, h: f64| verlet(9.81, z, h), Claims::order(2), "units")]
+#[case::g_of_the_earth(|_, z, h: f64| leapfrog(9.81, z, h), Claims::order(2), "units")]
 fn wrong_ones_are_refused(#[case] step: Step, #[case] claims: Claims, #[case] by: &str) {
     let report = judge(&FromFn(stepping(step)), claims);
     assert_eq!(report.verdict, Verdict::Fails, "{report}");
@@ -382,7 +362,7 @@ fn a_loss_as_small_as_a_tolerance_is_unclear() {
 fn wrong_clocks_are_refused(#[case] steps: fn(u64, f64) -> Vec<u64>) {
     let run = |g: f64, theta: f64, omega: f64, h: f64, n: u64| {
         let steps = steps(n, h);
-        let taken = stepping(verlet)(g, theta, omega, h, steps[steps.len() - 1]);
+        let taken = stepping(leapfrog)(g, theta, omega, h, steps[steps.len() - 1]);
         // As many states as are asked for, whenever they are.
         steps.into_iter().map(move |steps| taken[(steps.max(1) - 1) as usize])
     };
@@ -397,7 +377,7 @@ fn wrong_clocks_are_refused(#[case] steps: fn(u64, f64) -> Vec<u64>) {
 #[test]
 fn a_late_velocity_is_a_wrong_clock() {
     let run = |g: f64, theta: f64, omega: f64, h: f64, n: u64| {
-        let right = stepping(verlet)(g, theta, omega, h, n);
+        let right = stepping(leapfrog)(g, theta, omega, h, n);
         let mut states = right.clone();
         for full in (999..right.len()).step_by(1000) {
             states[full].1 = right[full - 1].1;

@@ -1,6 +1,8 @@
 //! Programs of equal steps as their users write them: right ones, and wrong in one place.
 
 use std::f64::consts::PI;
+use std::fmt;
+use std::io::Write;
 
 /// (θ, ω).
 pub type State = (f64, f64);
@@ -225,12 +227,23 @@ pub fn forest_ruth_to(decimals: i32, g: f64, theta: f64, omega: f64, h: f64, n: 
 
 /// A number as a program prints it, read again: so many significant digits.
 pub fn digits(count: usize, x: f64) -> f64 {
-    format!("{x:.*e}", count - 1).parse().expect("a number")
+    read_again(format_args!("{x:.*e}", count - 1))
 }
 
 /// The same with decimals.
 pub fn decimals(count: usize, x: f64) -> f64 {
-    format!("{x:.count$}").parse().expect("a number")
+    read_again(format_args!("{x:.count$}"))
+}
+
+/// The number that is printed. It's printed where no memory is asked for, because millions are.
+fn read_again(printed: fmt::Arguments<'_>) -> f64 {
+    // As long as the largest number with 17 decimals.
+    let mut text = [0; 330];
+    let mut rest = &mut text[..];
+    rest.write_fmt(printed).expect("there is room");
+    let unused = rest.len();
+    let text = str::from_utf8(&text[..text.len() - unused]).expect("digits");
+    text.parse().expect("a number")
 }
 
 // -------------------------------------------------------------------------------------------------

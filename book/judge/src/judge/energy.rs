@@ -1,6 +1,6 @@
 //! The energy: bounded, or drifting, and by which law.
 
-use super::probe::{Probe, energy, step};
+use super::probe::{Probe, energies, energy, step};
 use super::verdict::{Measured, Trouble, Verdict};
 use crate::finding::{EnergyLaw, Finding, Measurement};
 use crate::integrator::Request;
@@ -44,9 +44,10 @@ pub fn run(probe: &Probe<'_>, start: Phase, x: f64, steps: u64) -> Measured<Ener
     let steps = probe.in_time(steps)?;
     let h = step(x);
     let states = probe.states(Request::run(start, h, steps).every(every))?;
+    let at_start = energy(start);
     let samples: Vec<(f64, f64)> = (1..)
-        .zip(states)
-        .map(|(k, z)| ((k * every) as f64 * h, energy(z) - energy(start)))
+        .zip(energies(&states))
+        .map(|(k, energy)| ((k * every) as f64 * h, energy - at_start))
         .collect();
     let tenth = samples.len() / 10;
     let ends = [largest(&samples[..tenth]), largest(&samples[samples.len() - tenth..])];

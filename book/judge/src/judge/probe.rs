@@ -301,7 +301,14 @@ pub fn states_after(
 
 /// The energy above the bottom, in units of mgL.
 pub fn energy(z: Phase) -> f64 {
-    pendulum(G_OVER_L).energy(z) / G_OVER_L
+    energies(&[z])[0]
+}
+
+/// That of each state.
+pub fn energies(states: &[Phase]) -> Vec<f64> {
+    let mut energies = vec![0.0; states.len()];
+    pendulum(G_OVER_L).energies(states, &mut energies);
+    energies.iter().map(|energy| energy / G_OVER_L).collect()
 }
 
 /// The exact motion from `start`.

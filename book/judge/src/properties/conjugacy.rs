@@ -108,22 +108,19 @@ impl Kernel {
         (theta, omega)
     }
 
-    /// The kernel's state of the seen `z`: each sweep leaves λx² or less of what is wrong.
+    /// The kernel's state of the seen `z`.
     pub fn unprocessed(&self, pendulum: &Pendulum, z: Phase, h: f64) -> Phase {
-        let mut theta = z.theta;
-        for _ in 0..40 {
-            theta = z.theta - self.sides(pendulum, Phase { theta, ..z }, h).0;
-        }
+        let theta =
+            settled(z.theta, |theta| z.theta - self.sides(pendulum, Phase { theta, ..z }, h).0);
         let stretch = self.sides(pendulum, Phase { theta, ..z }, h).1;
         Phase { theta, omega: z.omega + z.omega * stretch }
     }
 
     /// The seen state of the kernel's `z`.
     pub fn processed(&self, pendulum: &Pendulum, z: Phase, h: f64) -> Phase {
-        let mut omega = z.omega;
-        for _ in 0..40 {
-            omega = z.omega - omega * self.sides(pendulum, Phase { omega, ..z }, h).1;
-        }
+        let omega = settled(z.omega, |omega| {
+            z.omega - omega * self.sides(pendulum, Phase { omega, ..z }, h).1
+        });
         Phase { theta: z.theta + self.sides(pendulum, Phase { omega, ..z }, h).0, omega }
     }
 
@@ -138,6 +135,19 @@ impl Kernel {
         let z = substeps.fold(z, |z, (kick, by)| pendulum.drift(kicked(z, *kick), by * h));
         kicked(z, self.kicks[self.drifts.len()])
     }
+}
+
+/// The value that `sweep` leaves as it is, from `value` on: each sweep leaves λx² or less of what is
+/// wrong.
+fn settled(mut value: f64, sweep: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..40 {
+        let before = value;
+        value = sweep(before);
+        if value == before {
+            break;
+        }
+    }
+    value
 }
 
 /// Whether `method` is `kernel` between its processor undone and done.

@@ -1,5 +1,6 @@
-//! Interruptions: INT, TERM and HUP end the process within half a second, or within a second if its
-//! standard error takes nothing, whatever it waits for, and leave no temporary file.
+//! Interruptions: INT, TERM and HUP end the process, whatever it waits for, and leave no temporary
+//! file. It ends at once, or within half a second if a command has something else to end first, or
+//! if its standard error takes nothing, and within a second if both are so.
 //!
 //! The signals set a flag, at which a thread looks. It needs nothing of what the others do: each
 //! temporary file is known here from the moment it is made to the moment it has its own name.
@@ -17,7 +18,8 @@ use signal_hook::consts;
 
 use crate::output::failure::Failure;
 
-/// How long a command has to end by itself.
+/// How long a command that looks at the flag has to end by itself, and standard error to take a
+/// line.
 const PATIENCE: Duration = Duration::from_millis(400);
 
 /// How often the thread looks at the flag.
@@ -30,10 +32,13 @@ const INTERRUPTING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
 
 static FLAG: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
+/// Whether a command looks at the flag, and so ends by itself.
+static LOOKED_AT: AtomicBool = AtomicBool::new(false);
+
 static TEMPORARY: Mutex<Temporary> = Mutex::new(Temporary(Vec::new()));
 
-/// Ends the process 0.4 s after an interruption, with status 2 and one line, and without its
-/// temporary files, unless it has ended by itself.
+/// Ends the process after an interruption, with status 2 and one line, and without its temporary
+/// files. A command that looks at the flag has 0.4 s in which it may end by itself.
 pub fn listen() -> Result<(), Failure> {
     Ok(listened().context("signals cannot be listened to")?)
 }
@@ -47,7 +52,7 @@ fn listened() -> io::Result<()> {
     #[cfg(unix)]
     signal_hook::flag::register(consts::SIGXFSZ, Arc::default())?;
     let wait = || {
-        while !flag().load(Ordering::Relaxed) {
+        while !FLAG.load(Ordering::Relaxed) {
             thread::sleep(LOOK);
         }
         end();
@@ -57,6 +62,7 @@ fn listened() -> io::Result<()> {
 
 /// The flag that an interruption sets, for a command that has something else to end than itself.
 pub fn flag() -> &'static AtomicBool {
+    LOOKED_AT.store(true, Ordering::Relaxed);
     &FLAG
 }
 
@@ -68,7 +74,9 @@ pub fn wait_if_ending() {
 
 /// Ends the process, after some time in which it ends by itself if it can.
 fn end() {
-    thread::sleep(PATIENCE);
+    if LOOKED_AT.load(Ordering::Relaxed) {
+        thread::sleep(PATIENCE);
+    }
     // Until the end no new one appears, and none gets its own name.
     let mut known = temporary();
     known.remove();
