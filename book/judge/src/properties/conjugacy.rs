@@ -137,8 +137,8 @@ impl Kernel {
     }
 }
 
-/// The value that `sweep` leaves as it is, from `value` on: each sweep leaves λx² or less of what is
-/// wrong.
+/// The value that `sweep` leaves as it is, from `value` on. Each sweep leaves λx² or less of what
+/// is wrong.
 fn settled(mut value: f64, sweep: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..40 {
         let before = value;
