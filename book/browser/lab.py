@@ -425,6 +425,35 @@ def test_chapters(tab, book):
             assert still.run(STILL), page
 
 
+# An observer that keeps what it sees to itself while it's told to, as one does on a busy page.
+BUSY = """globalThis.IntersectionObserver = class extends IntersectionObserver {
+    constructor(callback, options) {
+        super(entries => {
+            this.kept.push(...entries);
+            if (!globalThis.busy) this.tell();
+        }, options);
+        this.kept = [];
+        this.tell = () => callback(this.kept.splice(0), this);
+    }
+}"""
+
+
+def test_a_busy_page(tab, book):
+    """Catches: a lab that stands still though it is seen, or runs unseen, because the page was busy
+    while the reader scrolled past it and back: it hears of both at once, and the last is true."""
+    tab.page.add_init_script(BUSY)
+    come_to_lab(tab, "forward-euler.html")
+    lab = "document.querySelector('.lab')"
+    assert tab.comes(f"({lab}.scrollIntoView(), {lab}.lab.running)")
+    tab.run("globalThis.busy = true")
+    away, back = "scrollTo(0, document.body.scrollHeight)", f"{lab}.scrollIntoView()"
+    for count, move in [(1, away), (2, back)]:
+        tab.run(move)
+        assert tab.comes(f"{lab}.lab.seen.kept.length === {count}")
+    tab.run(f"{lab}.lab.seen.tell()")
+    assert tab.run(f"{lab}.lab.running")
+
+
 def test_without_webassembly(tab, book):
     """Catches: a page with scripts and no WebAssembly that says that with scripts the lab is there,
     or how to use it."""

@@ -109,8 +109,9 @@ class Lab extends Run {
         }
         this.clock = this.time;
         this.show();
+        // What was seen while the page was busy comes together: the last of it is true now.
         const seen = new IntersectionObserver(
-            ([entry]) => this.run(entry.isIntersecting && !calm.matches),
+            entries => this.run(entries.at(-1).isIntersecting && !calm.matches),
             { threshold: 0.3 },
         );
         seen.observe(this.spot);
