@@ -86,6 +86,11 @@ SHIFTED = """() => new Promise(resolve => {
 })"""
 
 
+# Whether a font came when the page no longer waited for it, and had shown its text without.
+LATE = """performance.getEntriesByType('resource').some(
+    ({ name, responseEnd }) => name.endsWith('.woff2') && responseEnd > 3000)"""
+
+
 def open_slowly(tab, page):
     """Opens a page whose fonts arrive 0.3 s after the rest, as over a slow line."""
     held = []
@@ -108,12 +113,17 @@ def test_weight(chromium, served):
     for page in ["404.html", "toc.html", "index.html", *served.chapters]:
         if page.startswith("tests/"):
             continue
-        # With nothing in store from the page before.
-        with Tab(chromium, served) as fresh:
-            open_slowly(fresh, page)
-            # The contents are a frame where there are no scripts, and then none holds back its text
-            # until the fonts are there.
-            assert page == "toc.html" or fresh.run(SHIFTED) <= SHIFT, page
+        # Again where a busy machine has kept the fonts from coming in time.
+        for _ in range(3):
+            # With nothing in store from the page before.
+            with Tab(chromium, served) as fresh:
+                open_slowly(fresh, page)
+                # The contents are a frame where there are no scripts, and then none holds back its
+                # text until the fonts are there.
+                shifted = 0 if page == "toc.html" else fresh.run(SHIFTED)
+                if shifted <= SHIFT or not fresh.run(LATE):
+                    break
+        assert shifted <= SHIFT, page
         files = [served.page(url) for url in fresh.asked]
         size = sum(served.compressed(file) for file in files if (served.folder / file).is_file())
         most = LANDING if page == "index.html" else CHAPTER + MORE.get(page, 0)
