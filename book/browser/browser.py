@@ -21,8 +21,8 @@ ARGUMENTS = """--headless --no-sandbox --font-render-hinting=none
 DESK, TELEPHONE = 1280, 400
 # A4 less the browser's margins of a centimetre, at 96 px an inch.
 SHEET = 718
-# For how many seconds something that may never come is waited for.
-GRACE = 15
+# For how many seconds something that may never come is waited for: long, for a busy machine.
+GRACE = 60
 
 
 class Tab:

@@ -3,6 +3,7 @@ the library's numbers."""
 
 import math
 import re
+import time
 
 import pytest
 
@@ -215,17 +216,17 @@ def test_cat_runs(tab):
     """It runs until it is told to stop; in a step a second for who asks for little motion."""
     figure = Cat(tab)
     figure.press("run")
-    tab.page.wait_for_timeout(1500)
-    assert figure.taken() > 3
+    assert figure.comes("spot.moved.taken > 3")
     figure.press("run")
     taken = figure.taken()
     tab.page.wait_for_timeout(500)
     assert figure.taken() == taken
     tab.little_motion()
     figure.press("reset")
+    start = time.monotonic()
     figure.press("run")
-    tab.page.wait_for_timeout(2500)
-    assert 2 <= figure.taken() <= 4
+    assert figure.comes("spot.moved.taken >= 2")
+    assert figure.taken() <= time.monotonic() - start + 1
 
 
 ALL = "[...document.querySelectorAll('.lab-figure')]"

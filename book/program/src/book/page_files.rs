@@ -121,11 +121,15 @@ fn linked(page: &str, site: &str) -> String {
 const END: &str = "</main>";
 
 /// The script after the text that has it appear when the fonts are there that it asks for, without
-/// waiting for any other script. Where the contents are a page of their own, there is no text.
-const APPEARS: &str = "<script>(async () => { document.body.offsetHeight; \
+/// waiting for any other script. What of a page is on the screen, and asks for the fonts of its
+/// formulas, a browser finds out in its first frame, so the second has come before we look. Where
+/// the contents are a page of their own, there is no text.
+const APPEARS: &str = "<script>(async () => { \
+     const frame = () => new Promise(requestAnimationFrame); \
+     const fonts = async () => { await frame(); await frame(); \
      const asked = [...document.fonts].filter(({ status }) => status === 'loading'); \
-     await Promise.race([Promise.allSettled(asked.map(({ loaded }) => loaded)), \
-     new Promise(late => setTimeout(late, 3000))]); \
+     await Promise.allSettled(asked.map(({ loaded }) => loaded)); }; \
+     await Promise.race([fonts(), new Promise(late => setTimeout(late, 3000))]); \
      document.documentElement.classList.remove('awaits-fonts'); })();</script>";
 
 /// The script that calls for the fonts of the page, and has its text wait for them, so that nothing
