@@ -80,12 +80,3 @@ fn names(folder: &Path) -> Vec<String> {
     names.sort();
     names
 }
-
-/// It begins first, as tests are run in the order of their names, and others compute meanwhile.
-///
-/// Catches: what the tests that it runs say.
-#[cfg(unix)]
-#[test]
-fn all_that_waits() {
-    verify::waiting();
-}

@@ -1,7 +1,7 @@
 //! Programs of which one answer is late, or none, or ends them: they are begun anew, and it costs
 //! one property.
 //!
-//! What is no `#[test]` here waits, and is run by `super::waiting`.
+//! Tests that wait for a program that hangs are left to `.ci/run`, which runs them side by side.
 
 use std::fs;
 
@@ -68,7 +68,9 @@ fn a_program_of_the_first_protocol_is_judged(#[case] then: &str) {
     of_the_first_protocol(then, &PATIENT);
 }
 
-pub fn a_silent_program_of_the_first_protocol_is_judged() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_silent_program_of_the_first_protocol_is_judged() {
     of_the_first_protocol("continue", &HASTY);
 }
 
@@ -97,7 +99,9 @@ const SERIES: &str = "free-outputs crossings";
 /// Catches: a solver whose one late answer costs the whole report, or is taken for a right one or
 /// for a wrong one; a reason that does not say what was asked; the same question asked twice; a
 /// claim that it runs forward only, of which it is asked backwards all the same.
-pub fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
     let backwards = &waits(
         "solve*\" 0.0 1e-\"*\" -\"*|solve*\" 10.0 1e-\"*\" 0.0\"|crossings*\" 2.85\"*\" -\"*",
     );
@@ -128,15 +132,21 @@ pub fn a_solver_that_never_returns_from_the_past_is_judged_forward() {
 }
 
 /// Catches: one kind of times, or one kind of tolerances, that costs more than its property.
-pub fn a_wait_at_close_outputs_costs_the_rows() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_wait_at_close_outputs_costs_the_rows() {
     costs("*\" 5.000000001\"*", "rows");
 }
 
-pub fn a_wait_at_a_far_start_costs_the_start() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_wait_at_a_far_start_costs_the_start() {
     costs("*\" 1000000.0 1e-\"*", "start");
 }
 
-pub fn a_wait_in_other_units_costs_the_units() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_wait_in_other_units_costs_the_units() {
     costs("*\" 1e-7 0.01\"", "units");
 }
 
@@ -148,7 +158,9 @@ fn costs(pattern: &str, property: &str) {
 
 /// Catches: what is asked at last, and no right solver need answer, held against it, unless that is
 /// claimed; a claim of it that holds for a solver that hangs.
-pub fn a_right_solver_may_hang_at_the_impossible() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_right_solver_may_hang_at_the_impossible() {
     let judged =
         |claims| judged(&[&["--claims", claims], &HASTY[..]].concat(), &waits("*\" NaN \"*"));
     let refuses = format!("{SERIES} refuses");
@@ -184,7 +196,9 @@ fn a_program_that_dies_at_a_question_loses_a_property() {
 /// A solver that answers a few questions, and no more.
 ///
 /// Catches: a program that is begun anew without an end; a report that is lost at the end of it.
-pub fn a_program_is_not_begun_anew_for_ever() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_program_is_not_begun_anew_for_ever() {
     let at_fault = "n=$((n + 1)); case $n in ?|1?|2?|3?) ;; *) exec sleep 1000 ;; esac\n\
                     [ $(wc -l < \"$1\") -gt 1 ] && [ $n -gt 1 ] && exec sleep 1000";
     let options = ["--claims", SERIES, "--patience", "0.5"];

@@ -1,6 +1,6 @@
 //! Programs at fault: each is told in one line, in time, and leaves no process behind.
 //!
-//! What is no `#[test]` here waits, and is run by `super::waiting`.
+//! Tests that wait for a program that hangs are left to `.ci/run`, which runs them side by side.
 
 use std::fmt::Debug;
 use std::fs;
@@ -158,7 +158,9 @@ const OVER_A_REQUEST: [&str; 14] = [
 /// a number, a part of an answer or one of another length taken for the whole; NaN or infinity that
 /// reaches the judge; gigabytes kept, or read to their end; an escape sequence that reaches the
 /// terminal, a panic over what is no UTF-8; a version that is not spoken here.
-pub fn a_fault_is_told_in_one_line() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_fault_is_told_in_one_line() {
     let mut told = refused(&pendula(["verify", "--", "/no/such/program", "x"]));
     let told_of = |script: Script| {
         let line = refused(&script.verified());
@@ -228,7 +230,9 @@ fn told_of<T: Debug>(rest: &str, ask: impl Fn(&Program) -> Result<T, Fault>) -> 
 /// of an answer, or one of another length, taken for the whole; NaN, or a state, for a crossing;
 /// crossings without an end, or in another order than that of the run, that reach the judge; what
 /// was asked left out of the message.
-pub fn a_fault_of_a_solver_is_told_in_one_line() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_fault_of_a_solver_is_told_in_one_line() {
     let solve = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&[2.5, 5.0]);
     let solved = |rest: &str| told_of(rest, |program| program.solve(&solve));
     let crossings = CrossingsRequest::new(9.81, Phase::at_rest(2.0), [0.0, 10.0], 1e-8);
@@ -240,7 +244,9 @@ pub fn a_fault_of_a_solver_is_told_in_one_line() {
 
 /// Catches: a judge of solvers that holds an answer which breaks the protocol for one, goes on
 /// asking, or does not say what came; a program that knows no solvers taken for one at fault.
-pub fn the_judge_of_solvers_tells_a_fault() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn the_judge_of_solvers_tells_a_fault() {
     let judged = |program: &Program| try_judge_solver(program, Claims::order(5).crossings());
     let tolerance = |program: &Program| -> Result<(), Fault> {
         let report = judged(program)?;
@@ -280,7 +286,9 @@ fn crossings_have_the_order_of_the_run() {
 
 /// Catches: a wait for a program that does not read a question of megabytes, or has ended before
 /// it; a message that quotes all of it.
-pub fn a_long_question_does_not_keep_the_judge() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_long_question_does_not_keep_the_judge() {
     let times: Vec<f64> = (1..=100_000).map(|k| f64::from(k) / 30_001.0).collect();
     let request = SolveRequest::new(9.81, Phase::at_rest(2.0), 1e-8).to(&times);
     for (patience, then, because) in [
@@ -304,7 +312,9 @@ pub fn a_long_question_does_not_keep_the_judge() {
 
 /// Catches: patience for the first request alone, or for each line instead of each answer; a
 /// question that was not answered asked again; a program that is not begun anew for another.
-pub fn a_program_that_hangs_at_a_later_request() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_program_that_hangs_at_a_later_request() {
     let later = || {
         let script = Script::greeting("echo 0.5 0.5\necho done 2\nread -r line\nexec sleep 1000");
         let program = script.started(3.0);
@@ -340,7 +350,9 @@ fn a_program_may_greet_first() {
 
 /// Catches: a refusal that ends the conversation, or is taken for a fault; an answer to one request
 /// taken for that to the next.
-pub fn a_program_may_refuse_and_go_on() {
+#[test]
+#[ignore = "waits for a program that hangs: .ci/run runs it"]
+fn a_program_may_refuse_and_go_on() {
     let text = "echo error too long\nread -r line\necho unsupported\nread -r line\necho 1 2\n\
                 echo error after all\nread -r line\necho 0.5 0.5\necho done\necho 0.5 0.5\n\
                 echo done 3\necho written >> \"$1\"\nread -r line";

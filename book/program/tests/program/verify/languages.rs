@@ -6,6 +6,7 @@ use std::fs;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
 use pendula::methods::{Dop853, StormerVerlet};
 use pendula::{Motion, Pendulum, Phase, exact};
@@ -20,12 +21,32 @@ use super::{judged, pendula, refused, request, started};
 use crate::{PENDULA, printed, words};
 
 /// Whether there is such a tool; says so if there is none.
-pub fn there_is(tool: &str) -> bool {
+fn there_is(tool: &str) -> bool {
     let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
     if !there {
         println!("{tool} is not here: what needs it is not run");
     }
     there
+}
+
+/// Python, if it is here: the interpreter itself, because `python3` may be a script that looks for
+/// it, as pyenv's is, and takes a tenth of a second for that.
+fn python() -> Option<&'static str> {
+    static PYTHON: LazyLock<Option<String>> = LazyLock::new(|| {
+        let print = ["-c", "import sys; print(sys.executable)"];
+        let output = Command::new("python3").args(print).output().ok()?;
+        let path = String::from_utf8(output.stdout).ok()?.trim().to_string();
+        output.status.success().then_some(path)
+    });
+    if PYTHON.is_none() {
+        println!("python3 is not here: what needs it is not run");
+    }
+    PYTHON.as_deref()
+}
+
+/// The words that start `name` of a file in this folder, if Python is here.
+pub fn in_python(file: &'static str, name: &'static str) -> Option<[&'static str; 3]> {
+    Some([python()?, file, name])
 }
 
 /// Holds the program of these words against the library's Störmer–Verlet.
@@ -66,10 +87,9 @@ fn is_stormer_verlet(words: &[&str]) {
 #[case::c("c", "cc", "cc -std=c99 -Wall -Wextra -Werror -O2 -o PROGRAM -x c FILE -lm")]
 #[case::rust("rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
 fn an_example_is_stormer_verlet(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
-    if !there_is(tool) {
-        return;
+    if there_is(tool) {
+        with_example(language, line, is_stormer_verlet);
     }
-    with_example(language, line, is_stormer_verlet);
 }
 
 /// Prints the example, compiles it where it has to be, and has the words that start it looked at.
@@ -191,9 +211,9 @@ fn is_dormand_prince(words: &[&str]) {
 /// zero, a way back or another unit of time that it was not made for; a crossing that is missed,
 /// told twice, or is not where the motion passes zero; the impossible tried for ever.
 #[rstest]
-#[ignore = "solvers in Python take ten seconds, and rustc one: .ci/slow runs them"]
 #[case::python("solver-python", "python3", "python3 FILE")]
 #[case::rust("solver-rust", "rustc", "rustc --edition 2021 -D warnings -O -o PROGRAM FILE")]
+#[ignore = "solvers in Python take ten seconds, and rustc one: .ci/slow runs them"]
 fn an_example_is_a_solver(#[case] language: &str, #[case] tool: &str, #[case] line: &str) {
     if there_is(tool) {
         with_example(language, line, is_dormand_prince);
@@ -257,7 +277,11 @@ const LEAPFROG: &str = "order=2 symplectic symmetric";
     "It is Störmer–Verlet, but the force acts as if g/L were 0.998"
 )]
 #[case::picky("picky", LEAPFROG, "")]
-fn variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] look_at: &str) {
+fn variants_are_told_apart(
+    #[case] name: &'static str,
+    #[case] claims: &str,
+    #[case] look_at: &str,
+) {
     is_told(name, claims, look_at);
 }
 
@@ -267,15 +291,17 @@ fn variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] loo
 #[case::wrong_stage_times("wrong-stage-times", "order=4", "This is the known mistake rk4-")]
 #[case::stale_force("stale-force", "", "This is the known mistake stormer-verlet-")]
 #[ignore = "programs in Python take a second each: .ci/slow runs them"]
-fn more_variants_are_told_apart(#[case] name: &str, #[case] claims: &str, #[case] look_at: &str) {
+fn more_variants_are_told_apart(
+    #[case] name: &'static str,
+    #[case] claims: &str,
+    #[case] look_at: &str,
+) {
     is_told(name, claims, look_at);
 }
 
 #[track_caller]
-fn is_told(name: &str, claims: &str, look_at: &str) {
-    if !there_is("python3") {
-        return;
-    }
+fn is_told(name: &'static str, claims: &str, look_at: &str) {
+    let Some(program) = in_python(VARIANTS, name) else { return };
     let expected = match name {
         "verlet" | "rk4" => (0, "holds"),
         "stale-force" => (0, "unclaimed"),
@@ -283,7 +309,7 @@ fn is_told(name: &str, claims: &str, look_at: &str) {
         "picky" => (1, "not measured"),
         _ => panic!("{name}"),
     };
-    let (status, report) = of_variant(name, claims);
+    let (status, report) = judged(&["--claims", claims], &program);
     assert_eq!((status, report["verdict"].as_str().unwrap()), expected, "{report:#}");
     let told = report["what_to_look_at"].as_array().unwrap();
     let first = told.first().map_or("", |line| line.as_str().unwrap());
@@ -303,14 +329,11 @@ fn is_told(name: &str, claims: &str, look_at: &str) {
 )]
 #[case::unsupported_to_all("unsupported", "", ": it knows neither pendulum nor solve")]
 fn where_nothing_is_measured_there_is_a_line(
-    #[case] name: &str,
+    #[case] name: &'static str,
     #[case] claims: &str,
     #[case] line: &str,
 ) {
-    if !there_is("python3") {
-        return;
-    }
-    let program = ["python3", VARIANTS, name];
+    let Some(program) = in_python(VARIANTS, name) else { return };
     let words = [&["verify", "--lenient", "--claims", claims, "--"], &program[..]].concat();
     let told = refused(&pendula(words));
     assert!(told.ends_with(&format!("variants.py {name}{line}\n")), "{told}");
@@ -318,15 +341,11 @@ fn where_nothing_is_measured_there_is_a_line(
 
 pub const VARIANTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/program/verify/variants.py");
 
-/// Exit status and report, as JSON, of the variant `name`.
-fn of_variant(name: &str, claims: &str) -> (i32, Value) {
-    judged(&["--claims", claims], &["python3", VARIANTS, name])
-}
-
 /// Catches: a property that was not measured without the program's own word why.
 #[test]
 fn what_is_not_measured_has_the_programs_reason() {
-    let (_, report) = of_variant("picky", LEAPFROG);
+    let Some(picky) = in_python(VARIANTS, "picky") else { return };
+    let (_, report) = judged(&["--claims", LEAPFROG], &picky);
     let properties = report["properties"].as_array().unwrap();
     for name in ["units", "clock", "repeatable", "stage-times"] {
         let property = properties.iter().find(|property| property["name"] == name).unwrap();

@@ -47,36 +47,6 @@ fn property<'r>(report: &'r Value, name: &str) -> &'r Value {
     property
 }
 
-/// The tests in which programs are waited for, for seconds in which nothing is computed: side by
-/// side, each in a thread that has its name.
-#[cfg(unix)]
-pub fn waiting() {
-    macro_rules! tests {
-        ($($file:ident::$test:ident,)*) => { [$((stringify!($test), $file::$test as fn())),*] };
-    }
-    let tests = tests![
-        anew::a_silent_program_of_the_first_protocol_is_judged,
-        anew::a_solver_that_never_returns_from_the_past_is_judged_forward,
-        anew::a_wait_at_close_outputs_costs_the_rows,
-        anew::a_wait_at_a_far_start_costs_the_start,
-        anew::a_wait_in_other_units_costs_the_units,
-        anew::a_right_solver_may_hang_at_the_impossible,
-        anew::a_program_is_not_begun_anew_for_ever,
-        faults::a_fault_is_told_in_one_line,
-        faults::a_fault_of_a_solver_is_told_in_one_line,
-        faults::the_judge_of_solvers_tells_a_fault,
-        faults::a_long_question_does_not_keep_the_judge,
-        faults::a_program_that_hangs_at_a_later_request,
-        faults::a_program_may_refuse_and_go_on,
-    ];
-    let begin = |(name, _): &(&str, fn())| thread::Builder::new().name((*name).to_string());
-    let failed: Vec<&str> = thread::scope(|scope| {
-        let begun = tests.map(|test| (test.0, begin(&test).spawn_scoped(scope, test.1).unwrap()));
-        begun.into_iter().filter_map(|(name, test)| test.join().err().map(|_| name)).collect()
-    });
-    assert!(failed.is_empty(), "what these say stands above: {failed:?}");
-}
-
 /// Does both at once, as programs are waited for in each.
 #[cfg(unix)]
 fn both<T: Send>(one: impl FnOnce() -> T + Send, other: impl FnOnce() -> T + Send) -> [T; 2] {

@@ -7,11 +7,13 @@ use pendula_judge::{Chosen, Drive, Integrator};
 use roxmltree::Document;
 use serde_json::Value;
 
-use super::languages::{VARIANTS, there_is};
+use super::languages::{VARIANTS, in_python};
 use super::{PATIENT, PENDULA, judged, names, pendula, refused, request, started};
 
 /// A right method that refuses steps back and long ones, whose words are markup.
-const PICKY: [&str; 3] = ["python3", VARIANTS, "picky"];
+fn picky() -> Option<[&'static str; 3]> {
+    in_python(VARIANTS, "picky")
+}
 
 const RK4: [&str; 3] = [PENDULA, "serve", "rk4"];
 
@@ -138,13 +140,11 @@ fn junit_is_read_by_a_parser_of_xml() {
     assert_eq!(failed.unwrap().attribute("name"), Some("area: symplectic"));
 
     // What cannot be told is an error, or skipped.
-    if !there_is("python3") {
-        return;
-    }
+    let Some(picky) = picky() else { return };
     for (lenient, tag) in [(false, "error"), (true, "skipped")] {
         let mut options = vec!["--claims", "order=2", "--format", "junit"];
         options.extend(lenient.then_some("--lenient"));
-        let (text, status) = told(&options, &PICKY);
+        let (text, status) = told(&options, &picky);
         assert_eq!(status, Some(i32::from(!lenient)), "{text}");
         let document = Document::parse(&text).unwrap();
         let nodes = document.descendants().filter(|node| node.has_tag_name(tag));
@@ -166,10 +166,8 @@ fn markdown_is_a_table() {
         let bars = row.replace("\\|", "").matches('|').count();
         assert_eq!(bars, 5, "{row}");
     }
-    if !there_is("python3") {
-        return;
-    }
-    let (text, _) = told(&["--format", "markdown"], &PICKY);
+    let Some(picky) = picky() else { return };
+    let (text, _) = told(&["--format", "markdown"], &picky);
     assert!(text.contains(r#"### \<script\>\&\"\\u\{1\}\|\*x\*"#), "{text}");
     assert!(text.contains("a \\| b"), "{text}");
 }
@@ -177,15 +175,13 @@ fn markdown_is_a_table() {
 /// Catches: an exit status 0 where a claim was not measured; one of 1 where it is allowed.
 #[test]
 fn the_summary_says_what_was_not_shown() {
-    if !there_is("python3") {
-        return;
-    }
-    let (status, report) = judged(&["--claims", "order=2"], &PICKY);
+    let Some(picky) = picky() else { return };
+    let (status, report) = judged(&["--claims", "order=2"], &picky);
     let summary = report["summary"].as_str().unwrap();
     assert_eq!(status, 1);
     assert!(
         summary.starts_with("No claim fails, but some could not be decided. Not measured: units, "),
         "{report:#}"
     );
-    assert_eq!(judged(&["--claims", "order=2", "--lenient"], &PICKY).0, 0);
+    assert_eq!(judged(&["--claims", "order=2", "--lenient"], &picky).0, 0);
 }

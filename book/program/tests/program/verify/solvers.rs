@@ -72,15 +72,13 @@ fn both_are_in_each_report() {
 #[case::cubic("cubic", "order=5 estimate=5", (1, "fails", Some("Outputs ")))]
 #[ignore = "solvers in Python take ten seconds each: .ci/slow runs them"]
 fn a_program_that_only_solves_is_judged_as_a_solver(
-    #[case] name: &str,
+    #[case] name: &'static str,
     #[case] claims: &str,
     #[case] (status, verdict, cause): (i32, &str, Option<&str>),
 ) {
-    if !super::languages::there_is("python3") {
-        return;
-    }
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/program/verify/solvers.py");
-    let (exit, report) = judged(&["--claims", claims], &["python3", script, name]);
+    let Some(program) = super::languages::in_python(script, name) else { return };
+    let (exit, report) = judged(&["--claims", claims], &program);
     assert_eq!((exit, report["verdict"].as_str()), (status, Some(verdict)), "{report:#}");
     let told = report["what_to_look_at"][0].as_str();
     assert_eq!(told.is_some(), cause.is_some(), "{report:#}");

@@ -36,6 +36,8 @@ STEPS = {
 name = sys.argv[1]
 one = STEPS.get(name, verlet)
 asked = 0
+# A whole answer at once, even where PYTHONUNBUFFERED has Python write each word by itself.
+sys.stdout = open(1, "w", closefd=False)
 for line in sys.stdin:
     word, *numbers = line.split()
     asked += 1
