@@ -36,6 +36,8 @@ class Tab:
         # What was asked for, and what the pages complained of.
         self.asked: set[str] = set()
         self.noted: list[str] = []
+        # Whether the clock of its page goes on only by `pass_time`.
+        self.stopped = False
         self.context.on("console", self._console)
         self.context.on("weberror", lambda it: self.noted.append(f"{it.error.name}: {it.error}"))
         self.context.on("request", self._request)
@@ -154,6 +156,15 @@ class Tab:
         yield
         self.page.emulate_media(media="screen")
         self.screen(DESK)
+
+    def pass_time(self, ms: int):
+        """Lets so much time pass for the page, however long that takes; the page's clock stands
+        still before and after."""
+        if not self.stopped:
+            self.page.clock.install(time=0)
+            self.page.clock.pause_at(1)
+            self.stopped = True
+        self.page.clock.run_for(ms)
 
     def little_motion(self):
         self.page.emulate_media(reduced_motion="reduce")
